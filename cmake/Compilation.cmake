@@ -1,0 +1,24 @@
+# How every target of the project is compiled.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(partwise_compilation INTERFACE)
+target_compile_options(partwise_compilation INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+  $<$<BOOL:${PARTWISE_WARNINGS_AS_ERRORS}>:-Werror>
+  # The same bytes on every machine: no fused multiply-add the source does not ask for.
+  -ffp-contract=off)
+
+set(PARTWISE_SANITIZE "" CACHE STRING "Sanitizers to build with, such as address,undefined or thread")
+if(PARTWISE_SANITIZE)
+  target_compile_options(partwise_compilation INTERFACE
+    -fsanitize=${PARTWISE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(partwise_compilation INTERFACE -fsanitize=${PARTWISE_SANITIZE})
+endif()

@@ -1,0 +1,37 @@
+#include "mesh/surface_point.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "error.h"
+
+namespace partwise {
+
+SurfaceMap::SurfaceMap(const TriMesh& source, const TriMesh& target, std::vector<SurfacePoint> images)
+    : target_key_(target.key()), images_(std::move(images)) {
+  if (static_cast<int>(images_.size()) != source.vertex_count()) {
+    throw InputError("the map has " + std::to_string(images_.size()) + " images, the source " +
+                     std::to_string(source.vertex_count()) + " vertices");
+  }
+  for (std::size_t v = 0; v < images_.size(); ++v) {
+    const SurfacePoint& image = images_[v];
+    const bool fits = image.facet >= 0 && image.facet < target.facet_count() &&
+                      image.barycentric.minCoeff() >= -1e-12 && std::abs(image.barycentric.sum() - 1) <= 1e-9;
+    if (!fits) {
+      throw InputError("the image of source vertex " + std::to_string(v) +
+                       " is no point of the target: facet " + std::to_string(image.facet) + " of " +
+                       std::to_string(target.facet_count()));
+    }
+  }
+}
+
+Points SurfaceMap::positions(const TriMesh& target) const {
+  if (target.key() != target_key_) throw InputError("this map leads to another mesh than the one given");
+  Points result;
+  result.reserve(images_.size());
+  for (const SurfacePoint& image : images_) result.push_back(position(target, image));
+  return result;
+}
+
+}  // namespace partwise

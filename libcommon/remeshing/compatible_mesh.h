@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "mapping/domains.h"
+#include "mesh/surface_point.h"
+
+namespace partwise {
+
+/// A vertex that carries a feature of a surface ([Wu11] 6.1).
+struct CriticalPoint {
+  int vertex = 0;
+  double curvature = 0;  ///< K of Eq. (16), per unit of area
+  double radius = 0;     ///< of its local region, in units of the model
+};
+
+/// The compatible mesh M^t_s: the source's connectivity with the target's shape (stages `reconstruct` to
+/// `relocate`).
+struct CompatibleMesh {
+  TriMesh source;
+  TriMesh target;
+  Points points;                   ///< per source vertex; within rounding of the target's surface
+  SurfaceMap map;                  ///< per source vertex: the point of the target it lies on
+  std::vector<int> source_labels;  ///< per source facet: part
+  std::vector<int> target_labels;  ///< per target facet: part (same indices as the source's)
+  std::vector<std::string> part_names;
+  std::vector<MarkerPair> markers;
+  std::vector<CriticalPoint> critical_points;  ///< of the target; empty before `critical-points`
+};
+
+}  // namespace partwise

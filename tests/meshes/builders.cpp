@@ -1,0 +1,199 @@
+#include "builders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace partwise::tests {
+namespace {
+
+/// Joins corners with equal integer lattice coordinates into one vertex.
+class Lattice {
+ public:
+  int vertex(const Eigen::Vector3i& at) {
+    const auto [entry, is_new] = index_.try_emplace({at[0], at[1], at[2]}, static_cast<int>(points_.size()));
+    if (is_new) points_.push_back(at.cast<double>());
+    return entry->second;
+  }
+  void triangle(const Eigen::Vector3i& a, const Eigen::Vector3i& b, const Eigen::Vector3i& c) {
+    facets_.push_back({vertex(a), vertex(b), vertex(c)});
+  }
+  TriMesh mesh(double scale) {
+    for (Vec3& point : points_) point *= scale;
+    return TriMesh(std::move(points_), std::move(facets_));
+  }
+
+ private:
+  std::map<std::array<int, 3>, int> index_;
+  Points points_;
+  Facets facets_;
+};
+
+Points mapped(const TriMesh& mesh, auto&& function) {
+  Points points;
+  for (const Vec3& point : mesh.points()) points.push_back(function(point));
+  return points;
+}
+
+TriMesh octahedron(int n) {
+  Lattice lattice;
+  for (int octant = 0; octant < 8; ++octant) {
+    const Eigen::Vector3i sign(octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1);
+    const bool mirrored = sign.prod() < 0;
+    auto corner = [&](int i, int j) {
+      return Eigen::Vector3i(Eigen::Vector3i(i, j, n - i - j).cwiseProduct(sign));
+    };
+    auto add = [&](const auto& a, const auto& b, const auto& c) {
+      if (mirrored)
+        lattice.triangle(a, c, b);
+      else
+        lattice.triangle(a, b, c);
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n - i; ++j) {
+        add(corner(i, j), corner(i + 1, j), corner(i, j + 1));
+        if (j + 1 < n - i) add(corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
+      }
+    }
+  }
+  return lattice.mesh(1.0 / n);
+}
+
+}  // namespace
+
+TriMesh tetrahedron() {
+  const double s = 1 / std::sqrt(3.0);
+  return TriMesh({{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}},
+                 {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
+}
+
+TriMesh cube(int n) {
+  Lattice lattice;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-n, n}) {
+      auto corner = [&](int i, int j) {
+        Eigen::Vector3i at;
+        at[axis] = side;
+        at[(axis + 1) % 3] = 2 * i - n;
+        at[(axis + 2) % 3] = 2 * j - n;
+        return at;
+      };
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          const auto a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+          if (side > 0) {
+            lattice.triangle(a, b, c);
+            lattice.triangle(a, c, d);
+          } else {
+            lattice.triangle(a, c, b);
+            lattice.triangle(a, d, c);
+          }
+        }
+      }
+    }
+  }
+  return lattice.mesh(1.0 / n);
+}
+
+TriMesh sphere(int n) {
+  const TriMesh octahedral = octahedron(n);
+  return octahedral.with_points(mapped(octahedral, [](const Vec3& p) -> Vec3 { return p.normalized(); }));
+}
+
+TriMesh bumpy_sphere(int n, double height) {
+  const TriMesh round = sphere(n);
+  return round.with_points(mapped(round, [&](const Vec3& p) -> Vec3 {
+    double radius = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {-1.0, 1.0}) {
+        const double angle = std::acos(std::clamp(side * p[axis], -1.0, 1.0));
+        radius += height * std::exp(-std::pow(angle / 0.25, 2));
+      }
+    }
+    return radius * p;
+  }));
+}
+
+TriMesh torus(double major_radius, double minor_radius, int around, int across) {
+  Points points;
+  Facets facets;
+  auto vertex = [&](int i, int j) { return (i % around) * across + j % across; };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
+      const double radius = major_radius + minor_radius * std::cos(v);
+      points.emplace_back(radius * std::cos(u), radius * std::sin(u), minor_radius * std::sin(v));
+      facets.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      facets.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  }
+  return TriMesh(std::move(points), std::move(facets));
+}
+
+TriMesh hemisphere(int n) {
+  const TriMesh whole = sphere(n);
+  std::map<int, int> kept;
+  Points points;
+  Facets facets;
+  for (const Facet& f : whole.facets()) {
+    if (whole.point(f[0]).z() + whole.point(f[1]).z() + whole.point(f[2]).z() <= 0) continue;
+    Facet renumbered;
+    for (int i = 0; i < 3; ++i) {
+      const auto [entry, is_new] = kept.try_emplace(f[i], static_cast<int>(points.size()));
+      if (is_new) points.push_back(whole.point(f[i]));
+      renumbered[i] = entry->second;
+    }
+    facets.push_back(renumbered);
+  }
+  return TriMesh(std::move(points), std::move(facets));
+}
+
+TriMesh grid(int n) {
+  Points points;
+  Facets facets;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) points.emplace_back(2.0 * i / n - 1, 2.0 * j / n - 1, 0);
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const int a = i * (n + 1) + j, b = a + n + 1;
+      facets.push_back({a, b, b + 1});
+      facets.push_back({a, b + 1, a + 1});
+    }
+  }
+  return TriMesh(std::move(points), std::move(facets));
+}
+
+TriMesh capsule(double length, int around, int along) {
+  // A profile curve (radius, z) from the south pole to the north pole, turned around the z axis.
+  Points points{{0, 0, -length / 2 - 1}};
+  Facets facets;
+  const double profile_length = length + std::numbers::pi;
+  for (int i = 1; i < along; ++i) {
+    const double s = profile_length * i / along - profile_length / 2;
+    const double past_tube = std::abs(s) - length / 2;
+    const double angle = past_tube > 0 ? past_tube : 0;
+    const double z = std::copysign(past_tube > 0 ? length / 2 + std::sin(angle) : std::abs(s), s);
+    const double radius = std::cos(angle) * (1 - 0.2 * std::exp(-z * z));
+    for (int j = 0; j < around; ++j) {
+      const double turn = 2 * std::numbers::pi * j / around;
+      points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+    }
+  }
+  points.emplace_back(0, 0, length / 2 + 1);
+  const int north = static_cast<int>(points.size()) - 1;
+  auto vertex = [&](int i, int j) { return 1 + (i - 1) * around + j % around; };
+  for (int j = 0; j < around; ++j) {
+    facets.push_back({0, vertex(1, j + 1), vertex(1, j)});
+    for (int i = 1; i + 1 < along; ++i) {
+      facets.push_back({vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1)});
+      facets.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)});
+    }
+    facets.push_back({vertex(along - 1, j), vertex(along - 1, j + 1), north});
+  }
+  return TriMesh(std::move(points), std::move(facets));
+}
+
+}  // namespace partwise::tests

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "mesh/tri_mesh.h"
+
+/// Meshes of known shape for the tests; all are centred at the origin and oriented outward.
+namespace partwise::tests {
+
+/// Regular tetrahedron with its corners on the unit sphere: 4 vertices, 4 facets.
+TriMesh tetrahedron();
+
+/// Surface of [-1, 1]^3, every side a grid of n x n squares cut in two: 12 n^2 facets.
+TriMesh cube(int n);
+
+/// Unit sphere from a subdivided octahedron: 8 n^2 facets.
+TriMesh sphere(int n);
+
+/// The sphere with bumps along the six axes, each `height` high: r = 1 + height * sum exp(-(angle / 0.25)^2).
+TriMesh bumpy_sphere(int n, double height);
+
+/// Torus around the z axis: 2 * around * across facets.
+TriMesh torus(double major_radius, double minor_radius, int around, int across);
+
+/// Upper half of sphere(n): one boundary loop. \pre n is even
+TriMesh hemisphere(int n);
+
+/// Flat n x n grid over [-1, 1]^2 at z = 0, seen from +z: one boundary loop, 2 n^2 facets.
+TriMesh grid(int n);
+
+/// Two half-balls of radius 1 at z = -length / 2 and length / 2 joined by a tube, slightly thinned at z = 0.
+TriMesh capsule(double length, int around, int along);
+
+}  // namespace partwise::tests
