@@ -1,0 +1,236 @@
+#include "mapping/relax_on_hull.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "energy/symmetric_dirichlet.h"
+#include "error.h"
+#include "geometry/normals.h"
+#include "solve/sparse_cholesky.h"
+
+namespace partwise {
+namespace {
+
+using Places = std::vector<StarHull::Place>;
+using LocalHessian = Eigen::Matrix<double, 6, 6>;
+using LocalGradient = Eigen::Matrix<double, 6, 1>;
+
+constexpr double kLeastQuality = 0.02;       // flatter reference facets count as equilateral
+constexpr double kLeastRelativeArea = 0.01;  // of a reference facet, over the mean
+
+/// Replaces negative curvature by positive, so that the Newton step is a descent.
+void make_positive(LocalHessian& hessian) {
+  Eigen::SelfAdjointEigenSolver<LocalHessian> eigen(hessian);
+  if (eigen.eigenvalues()[0] > 0) return;
+  const LocalGradient values = eigen.eigenvalues().cwiseMax(1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff());
+  hessian = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+/// Adds 6 x 6 blocks of facets into a sparse matrix whose pattern and slots are found once.
+class Assembly {
+ public:
+  Assembly(const Facets& facets, const std::vector<int>& unknowns, int unknown_count)
+      : matrix_(2 * unknown_count, 2 * unknown_count) {
+    std::vector<Eigen::Triplet<double>> triplets;
+    visit(facets, unknowns,
+          [&](int row, int column, std::size_t, int, int) { triplets.emplace_back(row, column, 1); });
+    matrix_.setFromTriplets(triplets.begin(), triplets.end());
+    visit(facets, unknowns, [&](int row, int column, std::size_t, int, int) {
+      const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+      const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+      slots_.push_back(static_cast<int>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr()));
+    });
+  }
+
+  const Eigen::SparseMatrix<double>& assemble(const Facets& facets, const std::vector<int>& unknowns,
+                                              const std::vector<LocalHessian>& blocks) {
+    std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+    std::size_t next = 0;
+    visit(facets, unknowns, [&](int, int, std::size_t facet, int i, int j) {
+      matrix_.valuePtr()[slots_[next++]] += blocks[facet](i, j);
+    });
+    return matrix_;
+  }
+
+ private:
+  /// Calls f(row, column, facet, local row, local column) for every entry of the lower triangle.
+  template <class Function>
+  static void visit(const Facets& facets, const std::vector<int>& unknowns, Function f) {
+    for (std::size_t t = 0; t < facets.size(); ++t) {
+      for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+          const int u = unknowns[facets[t][i / 2]], v = unknowns[facets[t][j / 2]];
+          if (u < 0 || v < 0) continue;
+          const int row = 2 * u + i % 2, column = 2 * v + j % 2;
+          if (row >= column) f(row, column, t, i, j);
+        }
+      }
+    }
+  }
+
+  Eigen::SparseMatrix<double> matrix_;
+  std::vector<int> slots_;
+};
+
+class Relaxation {
+ public:
+  Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
+             const Points& start, const std::vector<bool>& fixed);
+
+  HullRelaxation run(const HullRelaxationOptions& options);
+
+ private:
+  double energy(const Places& places) const;
+  void measure_heights();
+  Eigen::VectorXd newton_step();
+  Places moved(const Eigen::VectorXd& step, double length) const;
+
+  FacetDistortion distortion(std::size_t facet, const Places& places) const {
+    const auto& [a, b, c] = facets_[facet];
+    return {references_[facet], heights_[facet], places[a].position, places[b].position, places[c].position};
+  }
+
+  const Facets& facets_;
+  const StarHull& hull_;
+  std::vector<ReferenceTriangle> references_;
+  std::vector<double> facet_weights_;
+  double total_weight_ = 0;
+  std::vector<double> heights_;
+  std::vector<int> unknowns_;  // per vertex, -1 when fixed
+  int unknown_count_ = 0;
+  Places places_;
+  std::vector<Eigen::Matrix<double, 3, 2>> tangents_;
+  Assembly assembly_;
+  SparseCholesky solver_;
+};
+
+std::vector<int> numbered_unknowns(int vertex_count, const std::vector<bool>& fixed) {
+  std::vector<int> unknowns(vertex_count, -1);
+  int next = 0;
+  for (int v = 0; v < vertex_count; ++v) {
+    if (fixed.empty() || !fixed[v]) unknowns[v] = next++;
+  }
+  return unknowns;
+}
+
+Relaxation::Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
+                       const Points& start, const std::vector<bool>& fixed)
+    : facets_(mesh.facets()),
+      hull_(hull),
+      heights_(mesh.facet_count()),
+      unknowns_(numbered_unknowns(mesh.vertex_count(), fixed)),
+      unknown_count_(1 + *std::max_element(unknowns_.begin(), unknowns_.end())),
+      tangents_(mesh.vertex_count()),
+      assembly_(facets_, unknowns_, unknown_count_) {
+  const std::vector<double> areas = facet_areas(mesh.points(), facets_);
+  const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double scale = std::sqrt(hull.area() / total);
+  const double least_area = kLeastRelativeArea * hull.area() / static_cast<double>(facets_.size());
+  for (const auto& [a, b, c] : facets_) {
+    references_.push_back(ReferenceTriangle::from(scale * mesh.point(a), scale * mesh.point(b),
+                                                  scale * mesh.point(c), kLeastQuality, least_area));
+    facet_weights_.push_back(std::min({vertex_weights[a], vertex_weights[b], vertex_weights[c]}));
+    total_weight_ += facet_weights_.back() * references_.back().area;
+  }
+  int hint = 0;
+  for (const Vec3& direction : start) {
+    places_.push_back(hull.project(direction, hint));
+    hint = places_.back().facet;
+  }
+}
+
+void Relaxation::measure_heights() {
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    double sum = 0;
+    for (const int v : facets_[f]) sum += hull_.height(places_[v].facet);
+    heights_[f] = sum / 3;
+  }
+}
+
+double Relaxation::energy(const Places& places) const {
+  double sum = 0;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    sum += facet_weights_[f] * distortion(f, places).energy();
+    if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
+  }
+  return sum;
+}
+
+Eigen::VectorXd Relaxation::newton_step() {
+  for (std::size_t v = 0; v < places_.size(); ++v) {
+    const Vec3& normal = hull_.normal(places_[v].facet);
+    tangents_[v].col(0) = normal.unitOrthogonal();
+    tangents_[v].col(1) = normal.cross(tangents_[v].col(0));
+  }
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * unknown_count_);
+  std::vector<LocalHessian> blocks(facets_.size());
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    const FacetDistortion facet = distortion(f, places_);
+    Eigen::Matrix<double, 9, 6> tangent = Eigen::Matrix<double, 9, 6>::Zero();
+    for (int i = 0; i < 3; ++i) tangent.block<3, 2>(3 * i, 2 * i) = tangents_[facets_[f][i]];
+    const LocalGradient slope = facet_weights_[f] * (tangent.transpose() * facet.full_gradient());
+    for (int i = 0; i < 3; ++i) {
+      const int u = unknowns_[facets_[f][i]];
+      if (u >= 0) gradient.segment<2>(2 * u) += slope.segment<2>(2 * i);
+    }
+    blocks[f] = facet_weights_[f] * (tangent.transpose() * facet.full_hessian() * tangent);
+    make_positive(blocks[f]);
+  }
+  if (!solver_.factorize(assembly_.assemble(facets_, unknowns_, blocks))) {
+    throw ComputationError("the distortion's Hessian is not positive definite in double precision");
+  }
+  return solver_.solve(-gradient);
+}
+
+Places Relaxation::moved(const Eigen::VectorXd& step, double length) const {
+  Places places = places_;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const int u = unknowns_[v];
+    if (u < 0) continue;
+    places[v] = hull_.project(places_[v].position + length * (tangents_[v] * step.segment<2>(2 * u)),
+                              places_[v].facet);
+  }
+  return places;
+}
+
+HullRelaxation Relaxation::run(const HullRelaxationOptions& options) {
+  HullRelaxation result;
+  int small_decreases = 0;
+  measure_heights();
+  while (unknown_count_ > 0 && result.iterations < options.most_iterations && small_decreases < 2) {
+    const double before = energy(places_);
+    if (!std::isfinite(before)) throw ComputationError("a facet of the start is not positively oriented");
+    const Eigen::VectorXd step = newton_step();
+    double after = before;
+    for (double length = 1; length > 1e-6; length *= 0.6) {
+      Places candidate = moved(step, length);
+      after = energy(candidate);
+      if (after < before) {
+        places_ = std::move(candidate);
+        break;
+      }
+    }
+    ++result.iterations;
+    if (!(after < before)) break;
+    small_decreases = before - after < options.least_decrease * before ? small_decreases + 1 : 0;
+    measure_heights();
+  }
+  result.distortion = energy(places_) / (4 * total_weight_);
+  for (const StarHull::Place& place : places_) result.images.push_back(place.position);
+  return result;
+}
+
+}  // namespace
+
+HullRelaxation relax_on_hull(const TriMesh& mesh, const std::vector<double>& vertex_weights,
+                             const StarHull& hull, const Points& start, const std::vector<bool>& fixed,
+                             const HullRelaxationOptions& options) {
+  return Relaxation(mesh, vertex_weights, hull, start, fixed).run(options);
+}
+
+}  // namespace partwise

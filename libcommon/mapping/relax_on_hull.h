@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mapping/star_hull.h"
+#include "mesh/tri_mesh.h"
+
+namespace partwise {
+
+struct HullRelaxationOptions {
+  int most_iterations = 60;
+  double least_decrease = 1e-3;  ///< relative; two iterations in a row below it end the relaxation
+};
+
+struct HullRelaxation {
+  Points images;          ///< per vertex, on the hull, relative to its centre
+  double distortion = 0;  ///< symmetric Dirichlet, weighted mean of (|J|^2 + |J^-1|^2) / 4: 1 for an isometry
+  int iterations = 0;
+};
+
+/// Lowers the distortion of a one-to-one map of a closed mesh onto a hull by Newton's method on the symmetric
+/// Dirichlet energy (Smith and Schaefer 2015), along the hull's facets; no step turns a facet over.
+///
+/// `start` are directions or positions relative to the hull's centre. The mesh is scaled to the hull's area.
+/// \pre every facet of `start` is positively oriented seen from the centre; `vertex_weights` as for
+///      embed_progressively; `fixed` is empty or has one entry per vertex, fixed vertices stay where they
+///      start
+HullRelaxation relax_on_hull(const TriMesh& mesh, const std::vector<double>& vertex_weights,
+                             const StarHull& hull, const Points& start, const std::vector<bool>& fixed,
+                             const HullRelaxationOptions& options);
+
+}  // namespace partwise
