@@ -3,17 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "geometry/convex_hull.h"
 #include "mesh/part.h"
 
 /// The states of a model between the stages of the pipeline; each stage takes one and returns the next.
 namespace partwise {
-
-/// Convex hull of a part, outward oriented triangles.
-struct ConvexHull {
-  Points points;
-  Facets facets;
-  std::vector<int> part_vertex;  ///< per hull vertex: the local vertex of the part that it is
-};
 
 /// A segmented model with a convex hull around every part (stage `hull`).
 struct HulledModel {
