@@ -21,6 +21,8 @@ struct Property {
   bool is_list = false;
   ScalarType count_type = ScalarType::uint8;  ///< of a list's length in the file
   std::vector<std::size_t> offsets;           ///< lists only: row i is values[offsets[i] .. offsets[i + 1])
+
+  ScalarType type() const { return static_cast<ScalarType>(values.index()); }
 };
 
 /// A table: `size` rows of named columns.
@@ -40,13 +42,22 @@ struct PlyTables {
   const Element* find(const std::string& element) const;
 };
 
-/// Reads ASCII and binary PLY of both byte orders, front to back without seeking (pipes).
+/// A column of scalars.
+Property scalar_column(std::string name, Values values);
+
+/// A column of lists that all have `width` values. \pre values.size() is a multiple of width, 0 < width < 256
+Property list_column(std::string name, Values values, std::size_t width);
+
+/// Reads ASCII and binary PLY of both byte orders, front to back without seeking (pipes), up to the end.
+///
+/// Memory grows with the data that is there, whatever counts the file claims. `obj_info` lines are skipped.
 /// \throws InputError naming line (header, ASCII) or element, row and property of the first fault: unknown
-/// types,
-///         truncated or surplus data, lists of negative length, numbers that do not parse or do not fit.
+///         types, truncated or surplus data, lists of negative length, numbers that do not parse or do not
+///         fit; IoError when the stream fails.
 PlyTables read_ply(std::istream& in);
 
-/// Writes binary little-endian PLY. \throws IoError when the stream fails.
+/// Writes binary little-endian PLY. \throws IoError when the stream fails; std::invalid_argument naming
+/// element and property when the tables are not consistent or a name cannot be written.
 void write_ply(std::ostream& out, const PlyTables& tables);
 
 /// A scalar column converted to T. \throws InputError when the element or column is missing, a list, or does
@@ -54,7 +65,16 @@ void write_ply(std::ostream& out, const PlyTables& tables);
 template <class T>
 std::vector<T> column(const PlyTables& tables, const std::string& element, const std::string& property);
 
+/// A list column whose rows all have `width` values, one row after the other, converted to T.
+/// \throws InputError as `column`, and naming the first row of another length.
+template <class T>
+std::vector<T> lists(const PlyTables& tables, const std::string& element, const std::string& property,
+                     std::size_t width);
+
 extern template std::vector<int> column(const PlyTables&, const std::string&, const std::string&);
 extern template std::vector<double> column(const PlyTables&, const std::string&, const std::string&);
+extern template std::vector<int> lists(const PlyTables&, const std::string&, const std::string&, std::size_t);
+extern template std::vector<double> lists(const PlyTables&, const std::string&, const std::string&,
+                                          std::size_t);
 
 }  // namespace partwise::io
