@@ -47,8 +47,8 @@ class Assembly {
     });
   }
 
-  const Eigen::SparseMatrix<double>& assemble(const Facets& facets, const std::vector<int>& unknowns,
-                                              const std::vector<LocalHessian>& blocks) {
+  Eigen::SparseMatrix<double>& assemble(const Facets& facets, const std::vector<int>& unknowns,
+                                        const std::vector<LocalHessian>& blocks) {
     std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
     std::size_t next = 0;
     visit(facets, unknowns, [&](int, int, std::size_t facet, int i, int j) {
@@ -80,12 +80,14 @@ class Assembly {
 class Relaxation {
  public:
   Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
-             const Points& start, const std::vector<bool>& fixed);
+             const Points& start, const std::vector<bool>& fixed, const HullRelaxationOptions& options);
 
-  HullRelaxation run(const HullRelaxationOptions& options);
+  HullRelaxation run();
 
  private:
+  double distortion_energy(const Places& places) const;
   double energy(const Places& places) const;
+  void add_pulls(Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian) const;
   void measure_heights();
   Eigen::VectorXd newton_step();
   Places moved(const Eigen::VectorXd& step, double length) const;
@@ -97,6 +99,7 @@ class Relaxation {
 
   const Facets& facets_;
   const StarHull& hull_;
+  const HullRelaxationOptions& options_;
   std::vector<ReferenceTriangle> references_;
   std::vector<double> facet_weights_;
   double total_weight_ = 0;
@@ -119,9 +122,11 @@ std::vector<int> numbered_unknowns(int vertex_count, const std::vector<bool>& fi
 }
 
 Relaxation::Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
-                       const Points& start, const std::vector<bool>& fixed)
+                       const Points& start, const std::vector<bool>& fixed,
+                       const HullRelaxationOptions& options)
     : facets_(mesh.facets()),
       hull_(hull),
+      options_(options),
       heights_(mesh.facet_count()),
       unknowns_(numbered_unknowns(mesh.vertex_count(), fixed)),
       unknown_count_(1 + *std::max_element(unknowns_.begin(), unknowns_.end())),
@@ -152,13 +157,31 @@ void Relaxation::measure_heights() {
   }
 }
 
-double Relaxation::energy(const Places& places) const {
+double Relaxation::distortion_energy(const Places& places) const {
   double sum = 0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     sum += facet_weights_[f] * distortion(f, places).energy();
     if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
   }
   return sum;
+}
+
+double Relaxation::energy(const Places& places) const {
+  double sum = distortion_energy(places);
+  for (const Pin& pull : options_.pulls) {
+    sum += options_.pull_weight * (places[pull.vertex].position - pull.goal).squaredNorm();
+  }
+  return sum;
+}
+
+void Relaxation::add_pulls(Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian) const {
+  for (const Pin& pull : options_.pulls) {
+    const int u = unknowns_[pull.vertex];
+    if (u < 0) continue;
+    gradient.segment<2>(2 * u) += 2 * options_.pull_weight * tangents_[pull.vertex].transpose() *
+                                  (places_[pull.vertex].position - pull.goal);
+    for (int i = 0; i < 2; ++i) hessian.coeffRef(2 * u + i, 2 * u + i) += 2 * options_.pull_weight;
+  }
 }
 
 Eigen::VectorXd Relaxation::newton_step() {
@@ -181,7 +204,9 @@ Eigen::VectorXd Relaxation::newton_step() {
     blocks[f] = facet_weights_[f] * (tangent.transpose() * facet.full_hessian() * tangent);
     make_positive(blocks[f]);
   }
-  if (!solver_.factorize(assembly_.assemble(facets_, unknowns_, blocks))) {
+  Eigen::SparseMatrix<double>& hessian = assembly_.assemble(facets_, unknowns_, blocks);
+  add_pulls(gradient, hessian);
+  if (!solver_.factorize(hessian)) {
     throw ComputationError("the distortion's Hessian is not positive definite in double precision");
   }
   return solver_.solve(-gradient);
@@ -198,11 +223,11 @@ Places Relaxation::moved(const Eigen::VectorXd& step, double length) const {
   return places;
 }
 
-HullRelaxation Relaxation::run(const HullRelaxationOptions& options) {
+HullRelaxation Relaxation::run() {
   HullRelaxation result;
   int small_decreases = 0;
   measure_heights();
-  while (unknown_count_ > 0 && result.iterations < options.most_iterations && small_decreases < 2) {
+  while (unknown_count_ > 0 && result.iterations < options_.most_iterations && small_decreases < 2) {
     const double before = energy(places_);
     if (!std::isfinite(before)) throw ComputationError("a facet of the start is not positively oriented");
     const Eigen::VectorXd step = newton_step();
@@ -217,10 +242,10 @@ HullRelaxation Relaxation::run(const HullRelaxationOptions& options) {
     }
     ++result.iterations;
     if (!(after < before)) break;
-    small_decreases = before - after < options.least_decrease * before ? small_decreases + 1 : 0;
+    small_decreases = before - after < options_.least_decrease * before ? small_decreases + 1 : 0;
     measure_heights();
   }
-  result.distortion = energy(places_) / (4 * total_weight_);
+  result.distortion = distortion_energy(places_) / (4 * total_weight_);
   for (const StarHull::Place& place : places_) result.images.push_back(place.position);
   return result;
 }
@@ -230,7 +255,7 @@ HullRelaxation Relaxation::run(const HullRelaxationOptions& options) {
 HullRelaxation relax_on_hull(const TriMesh& mesh, const std::vector<double>& vertex_weights,
                              const StarHull& hull, const Points& start, const std::vector<bool>& fixed,
                              const HullRelaxationOptions& options) {
-  return Relaxation(mesh, vertex_weights, hull, start, fixed).run(options);
+  return Relaxation(mesh, vertex_weights, hull, start, fixed, options).run();
 }
 
 }  // namespace partwise

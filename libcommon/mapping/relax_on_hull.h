@@ -5,9 +5,17 @@
 
 namespace partwise {
 
+/// Where a vertex should be: a position on the hull, relative to its centre.
+struct Pin {
+  int vertex = 0;
+  Vec3 goal = Vec3::Zero();
+};
+
 struct HullRelaxationOptions {
   int most_iterations = 60;
   double least_decrease = 1e-3;  ///< relative; two iterations in a row below it end the relaxation
+  std::vector<Pin> pulls;        ///< vertices drawn towards their goals, by pull_weight |p - goal|^2 each
+  double pull_weight = 0;        ///< against area (|J|^2 + |J^-1|^2), no unit
 };
 
 struct HullRelaxation {

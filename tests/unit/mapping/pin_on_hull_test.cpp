@@ -1,0 +1,90 @@
+#include "mapping/pin_on_hull.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "builders.h"
+#include "geometry/convex_hull.h"
+#include "mapping/split_chords.h"
+#include "mapping/untangle_on_hull.h"
+
+namespace partwise {
+namespace {
+
+int count_folds(const TriMesh& mesh, const Points& images) {
+  return static_cast<int>(std::count_if(mesh.facets().begin(), mesh.facets().end(), [&](const Facet& f) {
+    return images[f[0]].dot((images[f[1]] - images[f[0]]).cross(images[f[2]] - images[f[0]])) <= 0;
+  }));
+}
+
+class OnASphere : public testing::Test {
+ protected:
+  TriMesh mesh = tests::sphere(8);
+  StarHull hull{convex_hull(mesh.points()), Vec3::Zero()};
+  std::vector<double> weights = std::vector<double>(mesh.vertex_count(), 1.0);
+};
+
+TEST_F(OnASphere, UntanglesVerticesThrownOverTheirNeighbours) {
+  Points start = mesh.points();
+  for (int v = 0; v < mesh.vertex_count(); v += 7) start[v] = (start[v] + Vec3(0.5, -0.3, 0.4)).normalized();
+  const UntangledMap untangled = untangle_on_hull(mesh, hull, start, {});
+  EXPECT_EQ(untangled.folds_before, count_folds(mesh, start));
+  EXPECT_GT(untangled.folds_before, 50);
+  EXPECT_EQ(untangled.folds_after, 0);
+  EXPECT_EQ(count_folds(mesh, untangled.images), 0);
+}
+
+TEST_F(OnASphere, UntanglingKeepsFixedVertices) {
+  Points start = mesh.points();
+  start[3] = (start[3] + Vec3(0.2, 0.2, -0.2)).normalized();
+  std::vector<bool> fixed(mesh.vertex_count(), false);
+  fixed[3] = true;
+  const UntangledMap untangled = untangle_on_hull(mesh, hull, start, fixed);
+  EXPECT_EQ(untangled.folds_after, 0);
+  EXPECT_LT((untangled.images[3].normalized() - start[3]).norm(), 1e-12);
+}
+
+TEST_F(OnASphere, BringsPinsToTheirGoalsWithoutFolds) {
+  // Every vertex of the equator goes on by a twelfth of a turn; one pole is pinned where it is.
+  std::vector<Pin> pins;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(M_PI / 6, Vec3::UnitZ()).toRotationMatrix();
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3& p = mesh.point(v);
+    if (std::abs(p.z()) < 1e-9) pins.push_back({v, hull.project(turn * p, 0).position});
+    if (p.z() > 1 - 1e-9) pins.push_back({v, p});
+  }
+  ASSERT_EQ(pins.size(), 33U);
+  const PinnedMap pinned = pin_on_hull(mesh, weights, hull, mesh.points(), pins, {});
+  EXPECT_EQ(pinned.folds, 0);
+  EXPECT_LT(pinned.pulled_distance, 1e-4);
+  for (const Pin& pin : pins) EXPECT_EQ(pinned.images[pin.vertex], pin.goal);
+  EXPECT_LT(pinned.distortion, 1.6);
+}
+
+TEST(SplitChords, HalvesEdgesBetweenFixedVerticesOnly) {
+  const TriMesh mesh = tests::grid(2);
+  std::vector<bool> fixed(mesh.vertex_count(), true);
+  fixed[4] = false;  // the middle
+  std::vector<std::array<int, 2>> rim{{0, 1}, {1, 2}, {2, 5}, {5, 8}, {8, 7}, {7, 6}, {6, 3}, {3, 0}};
+  const SplitMesh split = split_chords(mesh, fixed, rim);
+  // Of the diagonals only those that miss the middle join two vertices of the rim.
+  ASSERT_EQ(split.split_edges.size(), 2U);
+  EXPECT_EQ(split.mesh.vertex_count(), mesh.vertex_count() + 2);
+  EXPECT_EQ(split.mesh.facet_count(), mesh.facet_count() + 4);
+  for (std::size_t i = 0; i < split.split_edges.size(); ++i) {
+    const auto& [a, b] = split.split_edges[i];
+    EXPECT_LT((split.mesh.points()[9 + i] - (mesh.point(a) + mesh.point(b)) / 2).norm(), 1e-15);
+  }
+}
+
+TEST(SplitChords, CutsFacetsWithTwoAndThreeSuchEdges) {
+  const TriMesh mesh = tests::tetrahedron();
+  const SplitMesh split = split_chords(mesh, {true, true, true, false}, {{0, 1}});
+  EXPECT_EQ(split.mesh.vertex_count(), 6);
+  EXPECT_EQ(split.mesh.facet_count(), 3 + 2 + 2 + 1);
+  EXPECT_EQ(split_chords(mesh, {true, true, true, true}, {}).mesh.facet_count(), 16);
+}
+
+}  // namespace
+}  // namespace partwise
