@@ -1,8 +1,31 @@
 #include "solve/sparse_cholesky.h"
 
 #include <Eigen/CholmodSupport>
+#include <dlfcn.h>
+
+#include <mutex>
 
 namespace partwise {
+namespace {
+
+/// One thread per factorisation: parts are solved side by side, and sums then have one order on every
+/// machine. Looked up at run time, since any BLAS may stand behind CHOLMOD; one without this function has no
+/// threads.
+void use_one_blas_thread() {
+  using SetThreads = void (*)(int);
+  if (void* function = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) {
+    reinterpret_cast<SetThreads>(function)(1);
+  }
+}
+
+/// METIS, which CHOLMOD tries on large matrices, draws from the C library's one random sequence: started anew
+/// for each matrix, but mixed up when two threads draw at a time. Guards that sequence.
+std::mutex& ordering_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+}  // namespace
 
 struct SparseCholesky::Factor {
   Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower> cholmod;
@@ -10,6 +33,8 @@ struct SparseCholesky::Factor {
 };
 
 SparseCholesky::SparseCholesky() : factor_(std::make_unique<Factor>()) {
+  static const bool once = (use_one_blas_thread(), true);
+  static_cast<void>(once);
   factor_->cholmod.setMode(Eigen::CholmodSupernodalLLt);
 }
 SparseCholesky::~SparseCholesky() = default;
@@ -19,6 +44,7 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 bool SparseCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
   if (!factor_->analysed) {
     factor_->cholmod.cholmod().print = 0;  // failure is reported by the return value
+    const std::lock_guard<std::mutex> lock(ordering_mutex());
     factor_->cholmod.analyzePattern(lower);
     factor_->analysed = true;
   }
