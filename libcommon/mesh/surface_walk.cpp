@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/closest_point.h"
+#include "geometry/triangle_queries.h"
 
 namespace partwise {
 namespace {
@@ -111,8 +111,9 @@ SurfaceWalk SurfaceWalker::straight(const SurfacePoint& start, const Vec3& displ
 SurfacePoint SurfaceWalker::towards(const SurfacePoint& start, const Vec3& goal) const {
   auto closest_in = [&](int f) {
     const Facet& facet = mesh_.facet(f);
-    return SurfacePoint{
-        f, closest_barycentric(goal, mesh_.point(facet[0]), mesh_.point(facet[1]), mesh_.point(facet[2]))};
+    const TriangleProximity closest =
+        closest_on_triangle(goal, mesh_.point(facet[0]), mesh_.point(facet[1]), mesh_.point(facet[2]));
+    return SurfacePoint{f, closest.barycentric};
   };
   auto distance_of = [&](const SurfacePoint& point) { return (position(mesh_, point) - goal).squaredNorm(); };
   SurfacePoint best = closest_in(start.facet);
