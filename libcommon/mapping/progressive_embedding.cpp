@@ -7,12 +7,11 @@
 #include <numbers>
 #include <set>
 #include <string>
-#include <tuple>
 
 #include "energy/symmetric_dirichlet.h"
 #include "error.h"
 #include "geometry/normals.h"
-#include "mapping/ring_mesh.h"
+#include "mapping/collapse_to_tetrahedron.h"
 
 namespace partwise {
 namespace {
@@ -28,69 +27,6 @@ constexpr int kMostRetries = 12;
 double orientation(const Vec3& p, const Vec3& q, const Vec3& r) {
   return p.dot((q - p).cross(r - p));
 }
-
-struct Collapse {
-  int vertex;
-  RingMesh::Ring ring;
-};
-
-/// Collapses everything down to a tetrahedron, cheapest first; the record is in the order of the collapses.
-class Decimation {
-  using Entry = std::tuple<double, int, int>;  // cost, vertex, neighbour it merges into
-
- public:
-  Decimation(const TriMesh& mesh, RingMesh& rings)
-      : mesh_(mesh), rings_(rings), queued_(mesh.vertex_count(), Entry{0, 0, -1}) {}
-
-  std::vector<Collapse> run() {
-    std::vector<Collapse> record;
-    while (rings_.present_count() > 4) {
-      if (queue_.empty()) enqueue_all();
-      const auto [cost, u, v] = *queue_.begin();
-      dequeue(u);
-      if (!rings_.can_collapse(u, v)) {  // a collapse nearby has changed that
-        enqueue(u);
-        continue;
-      }
-      record.push_back({u, rings_.collapse(u, v)});
-      for (const int neighbour : record.back().ring) enqueue(neighbour);
-    }
-    return record;
-  }
-
- private:
-  void enqueue_all() {
-    for (int u = 0; u < mesh_.vertex_count(); ++u) enqueue(u);
-    if (queue_.empty())
-      throw InputError("the part cannot be collapsed: it is not a closed surface of genus 0");
-  }
-
-  void dequeue(int u) {
-    if (std::get<2>(queued_[u]) >= 0) queue_.erase(queued_[u]);
-    queued_[u] = {0, u, -1};
-  }
-
-  void enqueue(int u) {
-    dequeue(u);
-    Entry best{0, u, -1};
-    for (const int v : rings_.ring(u)) {
-      if (!rings_.can_collapse(u, v)) continue;
-      const auto degree = static_cast<double>(rings_.ring(u).size());
-      const double merged = static_cast<double>(rings_.ring(v).size()) + degree - 4;
-      const double penalty = 1 + std::max(0.0, merged - 10);
-      const double cost = (mesh_.point(u) - mesh_.point(v)).squaredNorm() * degree * penalty;
-      if (std::get<2>(best) < 0 || cost < std::get<0>(best)) best = {cost, u, v};
-    }
-    if (std::get<2>(best) < 0) return;
-    queued_[u] = best;
-    queue_.insert(best);
-  }
-
-  const TriMesh& mesh_;
-  RingMesh& rings_;
-  std::set<Entry> queue_;
-  std::vector<Entry> queued_;
-};
 
 /// Puts vertices on the sphere and moves them there, always with all facets positively oriented.
 class Embedding {
@@ -289,7 +225,7 @@ void require_sphere(const TriMesh& mesh) {
 Points embed_progressively(const TriMesh& mesh, const std::vector<double>& vertex_weights) {
   require_sphere(mesh);
   RingMesh rings(mesh);
-  std::vector<Collapse> record = Decimation(mesh, rings).run();
+  std::vector<Collapse> record = collapse_to_tetrahedron(mesh, rings);
   Embedding embedding(mesh, vertex_weights, rings);
   embedding.start_with_tetrahedron();
   double next_sweep = 4 * kGrowthPerSweep;

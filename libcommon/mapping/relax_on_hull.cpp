@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "energy/symmetric_dirichlet.h"
 #include "error.h"
-#include "geometry/normals.h"
+#include "mapping/hull_references.h"
 #include "solve/sparse_cholesky.h"
 
 namespace partwise {
@@ -19,9 +18,6 @@ namespace {
 using Places = std::vector<StarHull::Place>;
 using LocalHessian = Eigen::Matrix<double, 6, 6>;
 using LocalGradient = Eigen::Matrix<double, 6, 1>;
-
-constexpr double kLeastQuality = 0.02;       // flatter reference facets count as equilateral
-constexpr double kLeastRelativeArea = 0.01;  // of a reference facet, over the mean
 
 /// Replaces negative curvature by positive, so that the Newton step is a descent.
 void make_positive(LocalHessian& hessian) {
@@ -127,25 +123,17 @@ Relaxation::Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_we
     : facets_(mesh.facets()),
       hull_(hull),
       options_(options),
+      references_(hull_references(mesh, hull.area())),
       heights_(mesh.facet_count()),
       unknowns_(numbered_unknowns(mesh.vertex_count(), fixed)),
       unknown_count_(1 + *std::max_element(unknowns_.begin(), unknowns_.end())),
+      places_(hull.project(start)),
       tangents_(mesh.vertex_count()),
       assembly_(facets_, unknowns_, unknown_count_) {
-  const std::vector<double> areas = facet_areas(mesh.points(), facets_);
-  const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-  const double scale = std::sqrt(hull.area() / total);
-  const double least_area = kLeastRelativeArea * hull.area() / static_cast<double>(facets_.size());
-  for (const auto& [a, b, c] : facets_) {
-    references_.push_back(ReferenceTriangle::from(scale * mesh.point(a), scale * mesh.point(b),
-                                                  scale * mesh.point(c), kLeastQuality, least_area));
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    const auto& [a, b, c] = facets_[f];
     facet_weights_.push_back(std::min({vertex_weights[a], vertex_weights[b], vertex_weights[c]}));
-    total_weight_ += facet_weights_.back() * references_.back().area;
-  }
-  int hint = 0;
-  for (const Vec3& direction : start) {
-    places_.push_back(hull.project(direction, hint));
-    hint = places_.back().facet;
+    total_weight_ += facet_weights_.back() * references_[f].area;
   }
 }
 

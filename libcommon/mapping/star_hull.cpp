@@ -52,4 +52,15 @@ StarHull::Place StarHull::project(const Vec3& direction, int hint) const {
   return {facet, direction * (heights_[facet] / normals_[facet].dot(direction))};
 }
 
+std::vector<StarHull::Place> StarHull::project(const Points& directions) const {
+  std::vector<Place> places;
+  places.reserve(directions.size());
+  int hint = 0;
+  for (const Vec3& direction : directions) {
+    places.push_back(project(direction, hint));
+    hint = places.back().facet;
+  }
+  return places;
+}
+
 }  // namespace partwise

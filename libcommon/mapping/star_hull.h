@@ -21,6 +21,10 @@ class StarHull {
   /// facets.
   Place project(const Vec3& direction, int hint) const;
 
+  /// The places of directions that are given in the order of a mesh's vertices, so that neighbours come close
+  /// together.
+  std::vector<Place> project(const Points& directions) const;
+
   const Vec3& normal(int facet) const { return normals_[facet]; }  ///< unit, outward
   double height(int facet) const { return heights_[facet]; }  ///< distance of the facet's plane to the origin
   double area() const { return area_; }

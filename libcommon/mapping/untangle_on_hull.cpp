@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "energy/foldover_free.h"
-#include "geometry/normals.h"
+#include "mapping/hull_references.h"
 
 namespace partwise {
 namespace {
 
-constexpr double kLeastQuality = 0.02;
-constexpr double kLeastRelativeArea = 0.01;
 constexpr int kRounds = 12;  // each reaches one ring farther around what is still folded
 constexpr int kSweepsPerRound = 30;
 
@@ -42,20 +39,11 @@ class Untangling {
 
 Untangling::Untangling(const TriMesh& mesh, const StarHull& hull, const Points& start,
                        const std::vector<bool>& fixed)
-    : mesh_(mesh), hull_(hull), fixed_(fixed) {
-  const std::vector<double> areas = facet_areas(mesh.points(), mesh.facets());
-  const double scale = std::sqrt(hull.area() / std::accumulate(areas.begin(), areas.end(), 0.0));
-  const double least_area = kLeastRelativeArea * hull.area() / mesh.facet_count();
-  for (const auto& [a, b, c] : mesh.facets()) {
-    references_.push_back(ReferenceTriangle::from(scale * mesh.point(a), scale * mesh.point(b),
-                                                  scale * mesh.point(c), kLeastQuality, least_area));
-  }
-  int hint = 0;
-  for (const Vec3& direction : start) {
-    places_.push_back(hull.project(direction, hint));
-    hint = places_.back().facet;
-  }
-}
+    : mesh_(mesh),
+      hull_(hull),
+      fixed_(fixed),
+      references_(hull_references(mesh, hull.area())),
+      places_(hull.project(start)) {}
 
 std::vector<int> Untangling::folded_facets() const {
   std::vector<int> folded;
