@@ -26,10 +26,7 @@ ElementBuilder::ElementBuilder(std::string name, std::size_t size) {
 }
 
 ElementBuilder& ElementBuilder::add(const std::string& property, Values values) {
-  Property column;
-  column.name = property;
-  column.values = std::move(values);
-  element_.properties.push_back(std::move(column));
+  element_.properties.push_back(scalar_column(property, std::move(values)));
   return *this;
 }
 
@@ -47,16 +44,8 @@ ElementBuilder& ElementBuilder::points(const Points& points) {
 ElementBuilder& ElementBuilder::facets(const Facets& facets) {
   std::vector<int> values;
   values.reserve(3 * facets.size());
-  Property column;
-  for (const Facet& facet : facets) {
-    column.offsets.push_back(values.size());
-    values.insert(values.end(), facet.begin(), facet.end());
-  }
-  column.offsets.push_back(values.size());
-  column.name = "vertex_indices";
-  column.is_list = true;
-  column.values = std::move(values);
-  element_.properties.push_back(std::move(column));
+  for (const Facet& facet : facets) values.insert(values.end(), facet.begin(), facet.end());
+  element_.properties.push_back(list_column("vertex_indices", std::move(values), 3));
   return *this;
 }
 
