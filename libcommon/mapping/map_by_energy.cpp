@@ -1,0 +1,152 @@
+#include "mapping/map_by_energy.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "energy/convex_approximation.h"
+#include "energy/global_constraint.h"
+#include "energy/laplacian.h"
+#include "geometry/normals.h"
+#include "geometry/surface_index.h"
+#include "mapping/star_hull.h"
+#include "mapping/untangle_on_hull.h"
+#include "solve/least_squares.h"
+
+namespace partwise {
+namespace {
+
+/// A hollow less deep than this, over the part's diagonal, has no concave extreme point.
+constexpr double kLeastHollow = 0.02;
+
+/// The hull as the energy sees it.
+struct HullTarget {
+  SurfaceIndex index;
+  Points normals;
+
+  explicit HullTarget(const ConvexHull& hull)
+      : index(hull.points, hull.facets), normals(facet_normals(hull.points, hull.facets)) {}
+};
+
+/// Vertices that lie farther from the hull, along their normals, than all others within two edges: the
+/// deepest points of hollows, with their places on the hull.
+std::vector<VertexTarget> concave_extreme_points(const TriMesh& mesh, const VertexWeights& neighbours,
+                                                 const HullTarget& hull, const std::vector<int>& candidates) {
+  const Points normals = vertex_normals(mesh.points(), mesh.facets());
+  const std::vector<HullApproach> approaches =
+      approach_hull(candidates, mesh.points(), normals, hull.index, hull.normals);
+  std::vector<double> depth(mesh.vertex_count(), 0.0);
+  for (const HullApproach& approach : approaches) depth[approach.vertex] = approach.distance;
+  const auto largest_around = [&](const std::vector<double>& values) {
+    std::vector<double> largest = values;
+    for (int i = 0; i < mesh.vertex_count(); ++i) {
+      for (VertexWeights::InnerIterator j(neighbours, i); j; ++j)
+        largest[i] = std::max(largest[i], values[j.col()]);
+    }
+    return largest;
+  };
+  const std::vector<double> largest = largest_around(largest_around(depth));
+  const double least = kLeastHollow * mesh.diagonal();
+  std::vector<VertexTarget> extreme;
+  for (const HullApproach& approach : approaches) {
+    if (approach.distance > least && approach.distance >= largest[approach.vertex])
+      extreme.push_back({approach.vertex, approach.target});
+  }
+  return extreme;
+}
+
+/// G of Eq. (12): where it is known from the start where a vertex belongs.
+std::vector<VertexTarget> global_constraints(const Part& part, const ConvexHull& hull,
+                                             const VertexWeights& neighbours, const HullTarget& target) {
+  const TriMesh& mesh = part.mesh;
+  std::vector<bool> constrained(mesh.vertex_count(), false);
+  for (const int v : part.cap_vertices) constrained[v] = true;  // never: they move freely
+  std::vector<VertexTarget> constraints;
+  const auto constrain = [&](int vertex, const Vec3& place) {
+    if (constrained[vertex]) return;
+    constrained[vertex] = true;
+    constraints.push_back({vertex, place});
+  };
+  for (const int v : hull.part_vertex) constrain(v, mesh.point(v));
+  for (const std::vector<int>& loop : part.loops) {
+    for (const int v : loop) constrain(v, target.index.closest(mesh.point(v)).position);
+  }
+  std::vector<int> others;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (!constrained[v]) others.push_back(v);
+  }
+  for (const VertexTarget& extreme : concave_extreme_points(mesh, neighbours, target, others))
+    constrain(extreme.vertex, extreme.target);
+  return constraints;
+}
+
+/// Normals of the shape as it is now, held back where they change suddenly: a facet that turns over for a
+/// moment must not send its vertices to the other side of the hull.
+void follow_normals(Points& normals, const Points& points, const Facets& facets) {
+  const Points current = vertex_normals(points, facets);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    if (current[v].dot(normals[v]) > 0) normals[v] = (normals[v] + current[v]).normalized();
+    if (normals[v].isZero()) normals[v] = current[v];
+  }
+}
+
+/// The sum of Eq. (13) with w_c growing step by step.
+Points minimise_energy(const Part& part, const ConvexHull& hull, const HullTarget& target,
+                       const EnergyMapOptions& options) {
+  const TriMesh& mesh = part.mesh;
+  const int n = mesh.vertex_count();
+  const VertexWeights weights = options.laplacian == LaplacianKind::mean_value
+                                    ? mean_value_weights(mesh.points(), mesh.facets())
+                                    : uniform_weights(n, mesh.facets());
+  const EnergyTerm laplacian = laplacian_term(weights);
+  const std::vector<VertexTarget> constraints = global_constraints(part, hull, weights, target);
+  const EnergyTerm global = global_constraint_term(n, constraints);
+  const std::vector<double> areas = ring_areas(mesh.points(), mesh.facets());
+  std::vector<bool> constrained(n, false);
+  for (const VertexTarget& constraint : constraints) constrained[constraint.vertex] = true;
+  std::vector<int> free;
+  for (int v = 0; v < n; ++v) {
+    if (!constrained[v]) free.push_back(v);
+  }
+
+  LeastSquares system(n);
+  system.add(1, laplacian);
+  system.add(options.global_weight, global);
+  Points points = system.minimise();
+  Points normals = vertex_normals(mesh.points(), mesh.facets());
+  for (int step = 0; step < options.steps; ++step) {
+    const double along = options.steps > 1 ? static_cast<double>(step) / (options.steps - 1) : 1;
+    const double convex_weight =
+        options.first_convex_weight + along * (options.last_convex_weight - options.first_convex_weight);
+    follow_normals(normals, points, mesh.facets());
+    const auto approaches = approach_hull(free, points, normals, target.index, target.normals);
+    system.clear();
+    system.add(1, laplacian);                                                                  // Eq. (7-9)
+    system.add(options.global_weight, global);                                                 // Eq. (12)
+    system.add(convex_weight, convex_approximation_term(approaches, areas, mesh.diagonal()));  // Eq. (10-11)
+    points = system.minimise();
+  }
+  return points;
+}
+
+}  // namespace
+
+EnergyMap map_by_energy(const Part& part, const ConvexHull& hull, const EnergyMapOptions& options) {
+  const HullTarget target(hull);
+  const Vec3 centre = hull_centre(hull);
+  Points points = minimise_energy(part, hull, target, options);
+  EnergyMap result;
+  for (Vec3& p : points) {
+    result.off_hull = std::max(result.off_hull, target.index.closest(p).distance);
+    p -= centre;
+    if (p.isZero(0)) p = Vec3::UnitX();  // the centre itself has no direction; any place will do
+  }
+  UntangledMap untangled =
+      untangle_on_hull(part.mesh, StarHull(hull, centre), points, std::vector<bool>(points.size(), false));
+  result.folds_before = untangled.folds_before;
+  result.folds_after = untangled.folds_after;
+  for (Vec3& image : untangled.images) image += centre;
+  result.images = std::move(untangled.images);
+  return result;
+}
+
+}  // namespace partwise
