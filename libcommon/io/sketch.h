@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "io/document.h"
+#include "segmentation/sketch.h"
+
+namespace partwise::io {
+
+/// The sketch (partwise/sketch-1) in `json`.
+///
+/// Checked here: forms and types, unique names, anchors between known parts, barycentric coordinates that are
+/// not negative and sum to 1 (within 1e-6; they are then scaled to sum exactly), invertible cameras. Whether
+/// vertices and facets exist is checked where the sketch meets its mesh (segment_mesh).
+/// \throws InputError naming part, stroke and entry (0-based), marker or anchor.
+Sketch parse_sketch(const Json& json);
+
+/// Reads a sketch from a file. \throws IoError; InputError as parse_sketch, or naming the line of a JSON
+/// error.
+Sketch read_sketch(const std::string& path);
+
+}  // namespace partwise::io

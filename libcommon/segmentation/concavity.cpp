@@ -1,0 +1,70 @@
+#include "segmentation/concavity.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include "error.h"
+#include "geometry/convex_hull.h"
+
+namespace partwise {
+namespace {
+
+/// Vertices of each part, ascending.
+std::vector<std::vector<int>> part_vertices(const TriMesh& mesh, const Segmentation& segmentation) {
+  std::vector<std::vector<int>> vertices(segmentation.part_count());
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    auto& own = vertices[segmentation.labels[f]];
+    own.insert(own.end(), mesh.facet(f).begin(), mesh.facet(f).end());
+  }
+  for (auto& own : vertices) {
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+  }
+  return vertices;
+}
+
+Concavity concavity_of(const TriMesh& mesh, const std::vector<int>& vertices) {
+  Points points;
+  points.reserve(vertices.size());
+  for (const int v : vertices) points.push_back(mesh.point(v));
+  std::vector<double> distances;
+  try {
+    distances = distances_to_hull(convex_hull(points), points);
+  } catch (const InputError&) {
+    return {0, 0, vertices.front()};  // flat: there is no hull, and nothing to decompose
+  }
+  const auto largest = std::max_element(distances.begin(), distances.end());
+  const double mean =
+      std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
+  return {*largest / mesh.diagonal(), mean / mesh.diagonal(), vertices[largest - distances.begin()]};
+}
+
+}  // namespace
+
+std::vector<Concavity> measure_concavity(const TriMesh& mesh, const Segmentation& segmentation) {
+  const auto vertices = part_vertices(mesh, segmentation);
+  std::vector<Concavity> result(vertices.size());
+  tbb::parallel_for(std::size_t{0}, vertices.size(),
+                    [&](std::size_t part) { result[part] = concavity_of(mesh, vertices[part]); });
+  return result;
+}
+
+std::vector<std::string> decomposition_hints(const Segmentation& segmentation,
+                                             const std::vector<Concavity>& concavity, double tau) {
+  std::vector<std::string> hints;
+  for (std::size_t part = 0; part < concavity.size(); ++part) {
+    if (concavity[part].largest <= tau) continue;
+    std::ostringstream text;
+    text.precision(2);
+    text << "part '" << segmentation.names[part] << "': decompose further near vertex "
+         << concavity[part].vertex << ", which lies " << concavity[part].largest
+         << " of the model's diagonal inside the part's convex hull (tau is " << tau << ")";
+    hints.push_back(text.str());
+  }
+  return hints;
+}
+
+}  // namespace partwise

@@ -1,0 +1,152 @@
+#include "segmentation/crease_field.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/normals.h"
+
+namespace partwise {
+namespace {
+
+using OpenMesh::EdgeHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+using Tensor = Eigen::Matrix3d;
+
+constexpr double kRadius = 0.012;  // of the diagonal
+constexpr double kCrease = 20;     // concavity at which an edge counts as a crease
+
+struct EdgeEnds {
+  int from;
+  int to;
+};
+
+EdgeEnds ends(const TriMesh& mesh, int edge) {
+  const HalfedgeHandle h = mesh.half_edges().halfedge_handle(EdgeHandle(edge), 0);
+  return {mesh.half_edges().from_vertex_handle(h).idx(), mesh.half_edges().to_vertex_handle(h).idx()};
+}
+
+/// Signed dihedral angle in radians: positive at a convex edge, 0 on a flat one and on the mesh's boundary.
+double dihedral_angle(const TriMesh& mesh, const Points& normals, int edge) {
+  const HalfEdges& half_edges = mesh.half_edges();
+  const HalfedgeHandle h = half_edges.halfedge_handle(EdgeHandle(edge), 0);
+  const auto left = half_edges.face_handle(h);
+  const auto right = half_edges.face_handle(half_edges.opposite_halfedge_handle(h));
+  if (!left.is_valid() || !right.is_valid()) return 0;
+  const auto [from, to] = ends(mesh, edge);
+  const Vec3 direction = (mesh.point(to) - mesh.point(from)).stableNormalized();
+  const Vec3& n = normals[left.idx()];
+  const Vec3& m = normals[right.idx()];
+  return std::atan2(n.cross(m).dot(direction), n.dot(m));
+}
+
+/// Curvature tensor times area, and area, per vertex.
+struct VertexBending {
+  std::vector<Tensor, Eigen::aligned_allocator<Tensor>> tensor;
+  std::vector<double> area;
+};
+
+VertexBending bending_of_rings(const TriMesh& mesh) {
+  VertexBending bending{{static_cast<std::size_t>(mesh.vertex_count()), Tensor::Zero()},
+                        std::vector<double>(mesh.vertex_count(), 0.0)};
+  const std::vector<double> areas = facet_areas(mesh.points(), mesh.facets());
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    for (const int v : mesh.facet(f)) bending.area[v] += areas[f] / 3;
+  }
+  const Points normals = facet_normals(mesh.points(), mesh.facets());
+  for (int e = 0; e < static_cast<int>(mesh.half_edges().n_edges()); ++e) {
+    const auto [from, to] = ends(mesh, e);
+    const Vec3 edge = mesh.point(to) - mesh.point(from);
+    const double length = edge.norm();
+    if (length == 0) continue;
+    const Tensor half = dihedral_angle(mesh, normals, e) / (2 * length) * edge * edge.transpose();
+    bending.tensor[from] += half;
+    bending.tensor[to] += half;
+  }
+  return bending;
+}
+
+/// Vertices connected to `centre` within the ball of `radius` around it, by breadth.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const TriMesh& mesh) : mesh_(mesh), visited_(mesh.vertex_count(), -1) {}
+
+  const std::vector<int>& around(int centre, double radius) {
+    vertices_.assign(1, centre);
+    visited_[centre] = centre;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      for (const VertexHandle v : mesh_.half_edges().vv_range(VertexHandle(vertices_[i]))) {
+        if (visited_[v.idx()] == centre) continue;
+        visited_[v.idx()] = centre;
+        if ((mesh_.point(v.idx()) - mesh_.point(centre)).squaredNorm() <= radius * radius) {
+          vertices_.push_back(v.idx());
+        }
+      }
+    }
+    return vertices_;
+  }
+
+ private:
+  const TriMesh& mesh_;
+  std::vector<int> visited_;
+  std::vector<int> vertices_;
+};
+
+std::vector<Tensor, Eigen::aligned_allocator<Tensor>> curvature_tensors(const TriMesh& mesh) {
+  const VertexBending bending = bending_of_rings(mesh);
+  const double radius = kRadius * mesh.diagonal();
+  std::vector<Tensor, Eigen::aligned_allocator<Tensor>> result(mesh.vertex_count());
+  tbb::parallel_for(tbb::blocked_range<int>(0, mesh.vertex_count(), 4096), [&](const auto& range) {
+    Neighbourhood neighbourhood(mesh);
+    for (int v = range.begin(); v < range.end(); ++v) {
+      Tensor sum = Tensor::Zero();
+      double area = 0;
+      for (const int near : neighbourhood.around(v, radius)) {
+        sum += bending.tensor[near];
+        area += bending.area[near];
+      }
+      result[v] = area > 0 ? Tensor(sum / area) : Tensor::Zero();
+    }
+  });
+  return result;
+}
+
+}  // namespace
+
+double edge_length(const TriMesh& mesh, int index) {
+  const auto [from, to] = ends(mesh, index);
+  return (mesh.point(to) - mesh.point(from)).norm();
+}
+
+double mean_edge_length(const TriMesh& mesh) {
+  const int count = static_cast<int>(mesh.half_edges().n_edges());
+  double sum = 0;
+  for (int e = 0; e < count; ++e) sum += edge_length(mesh, e);
+  return sum / count;
+}
+
+std::vector<double> edge_concavity(const TriMesh& mesh) {
+  const auto tensors = curvature_tensors(mesh);
+  const double diagonal = mesh.diagonal();
+  std::vector<double> concavity(mesh.half_edges().n_edges(), 0.0);
+  for (std::size_t e = 0; e < concavity.size(); ++e) {
+    const auto [from, to] = ends(mesh, static_cast<int>(e));
+    const Vec3 u = (mesh.point(to) - mesh.point(from)).stableNormalized();
+    concavity[e] = std::max(0.0, -diagonal * u.dot((tensors[from] + tensors[to]) * u) / 2);
+  }
+  return concavity;
+}
+
+std::vector<double> boundary_costs(const TriMesh& mesh, const std::vector<double>& concavity) {
+  const double h = mean_edge_length(mesh);
+  std::vector<double> costs(concavity.size());
+  for (std::size_t e = 0; e < costs.size(); ++e) {
+    const double crease = concavity[e] / kCrease;
+    costs[e] = edge_length(mesh, static_cast<int>(e)) / h * (0.1 + 0.9 / (1 + crease * crease));
+  }
+  return costs;
+}
+
+}  // namespace partwise

@@ -1,0 +1,48 @@
+#include "segmentation/label_topology.h"
+
+#include <algorithm>
+
+namespace partwise {
+
+std::vector<int> facets_around(const TriMesh& mesh, int vertex) {
+  std::vector<int> facets;
+  for (const OpenMesh::HalfedgeHandle h : mesh.half_edges().voh_range(OpenMesh::VertexHandle(vertex))) {
+    facets.push_back(mesh.half_edges().face_handle(h).idx());  // -1 when there is none
+  }
+  return facets;
+}
+
+int extra_fans(const TriMesh& mesh, const std::vector<int>& labels, int vertex) {
+  std::vector<int> runs;
+  for (const OpenMesh::HalfedgeHandle h : mesh.half_edges().voh_range(OpenMesh::VertexHandle(vertex))) {
+    const int facet = mesh.half_edges().face_handle(h).idx();
+    const int label = facet < 0 ? kOutside : labels[facet];
+    if (runs.empty() || runs.back() != label) runs.push_back(label);
+  }
+  if (runs.size() > 1 && runs.front() == runs.back()) runs.pop_back();
+  if (runs.size() < 4) return 0;
+  const auto count = static_cast<int>(runs.size());
+  std::sort(runs.begin(), runs.end());
+  return count - static_cast<int>(std::unique(runs.begin(), runs.end()) - runs.begin());
+}
+
+LabelComponents label_components(const TriMesh& mesh, const std::vector<int>& labels) {
+  LabelComponents components{std::vector<int>(labels.size(), -1), {}};
+  for (int seed = 0; seed < mesh.facet_count(); ++seed) {
+    if (components.of_facet[seed] >= 0) continue;
+    const int index = static_cast<int>(components.facets.size());
+    std::vector<int> facets{seed};
+    components.of_facet[seed] = index;
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      for (const OpenMesh::FaceHandle f : mesh.half_edges().ff_range(OpenMesh::FaceHandle(facets[i]))) {
+        if (components.of_facet[f.idx()] >= 0 || labels[f.idx()] != labels[seed]) continue;
+        components.of_facet[f.idx()] = index;
+        facets.push_back(f.idx());
+      }
+    }
+    components.facets.push_back(std::move(facets));
+  }
+  return components;
+}
+
+}  // namespace partwise

@@ -1,0 +1,85 @@
+#include "segmentation/segment_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "error.h"
+#include "segmentation/concavity.h"
+#include "segmentation/crease_field.h"
+#include "segmentation/growth.h"
+#include "segmentation/label_repair.h"
+#include "segmentation/landmarks.h"
+#include "segmentation/random_walker.h"
+#include "segmentation/surface_places.h"
+
+namespace partwise {
+namespace {
+
+void require_size(const TriMesh& mesh, const Sketch& sketch) {
+  if (!sketch.mesh) return;
+  if (sketch.mesh->vertices == mesh.vertex_count() && sketch.mesh->facets == mesh.facet_count()) return;
+  throw InputError("the sketch was drawn for a mesh of " + std::to_string(sketch.mesh->vertices) +
+                   " vertices and " + std::to_string(sketch.mesh->facets) + " facets, this one has " +
+                   std::to_string(mesh.vertex_count()) + " and " + std::to_string(mesh.facet_count()) +
+                   "; take the sketch of this mesh");
+}
+
+std::vector<std::string> part_names(const Sketch& sketch) {
+  if (sketch.parts.empty()) return {"whole"};
+  std::vector<std::string> names;
+  for (const SketchedPart& part : sketch.parts) names.push_back(part.name);
+  return names;
+}
+
+void require_one_component(const TriMesh& mesh) {
+  const std::vector<int> component = facet_components(mesh);
+  const auto second = std::find(component.begin(), component.end(), 1);
+  if (second == component.end()) return;
+  throw InputError("the mesh has " +
+                   std::to_string(1 + *std::max_element(component.begin(), component.end())) +
+                   " components (facet " + std::to_string(second - component.begin()) +
+                   " is not connected to facet 0) but one part; give each component a part of its own, or "
+                   "remove all but one");
+}
+
+std::vector<int> raw_labels(const TriMesh& mesh, const Seeds& seeds, int part_count,
+                            const std::vector<double>& concavity, SegmentationMethod method) {
+  if (method == SegmentationMethod::growth) return grow_regions(mesh, seeds);
+  return most_probable_parts(walk_randomly(mesh, seeds, part_count, concavity));
+}
+
+}  // namespace
+
+SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options) {
+  require_size(mesh, sketch);
+  const std::vector<std::string> names = part_names(sketch);
+  SurfacePlaces places(mesh, options.snap_limit);
+  const std::vector<SeedStroke> strokes = seed_strokes(sketch, places);
+  RepairedLabels repaired;
+  if (names.size() == 1) {
+    require_one_component(mesh);
+    repaired.labels.assign(mesh.facet_count(), 0);
+  } else {
+    const Seeds seeds = collect_seeds(mesh, names, strokes);
+    const std::vector<double> concavity = edge_concavity(mesh);
+    repaired =
+        repair_labels(mesh, names, seeds,
+                      raw_labels(mesh, seeds, static_cast<int>(names.size()), concavity, options.method),
+                      boundary_costs(mesh, concavity));
+  }
+  Segmentation segmentation = trace_boundaries(mesh, names, std::move(repaired.labels));
+  std::vector<Marker> markers = place_markers(sketch, places);
+  std::vector<Anchor> anchors = place_anchors(mesh, segmentation, sketch, places);
+  std::vector<Concavity> concavity = measure_concavity(mesh, segmentation);
+  std::vector<std::string> warnings = decomposition_hints(segmentation, concavity, options.tau);
+  for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
+    warnings.push_back(std::move(sentence));
+  }
+  return {{mesh, std::move(segmentation), std::move(markers), std::move(anchors), std::move(concavity)},
+          std::move(warnings),
+          repaired.merged_islands,
+          repaired.removed_pinches,
+          repaired.changed_facets};
+}
+
+}  // namespace partwise

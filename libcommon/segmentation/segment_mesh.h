@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/segmentation.h"
+#include "segmentation/sketch.h"
+
+namespace partwise {
+
+enum class SegmentationMethod {
+  walker,  ///< random walker over facets, see random_walker.h
+  growth   ///< as in the paper, see growth.h
+};
+
+struct SegmentationOptions {
+  SegmentationMethod method = SegmentationMethod::walker;
+  double snap_limit = 0.05;  ///< how far sketched points may lie from the surface, over the diagonal
+  double tau = 0.1;          ///< concavity above which a part should be decomposed further, over the diagonal
+};
+
+/// A segmented model, and what making it took.
+struct SegmentedMesh {
+  SegmentedModel model;
+  std::vector<std::string> warnings;  ///< decomposition hints and boundaries without anchors, a sentence each
+  int merged_islands = 0;             ///< surplus components of parts given to a neighbour
+  int removed_pinches = 0;            ///< places where a part touched itself at a vertex
+  int changed_facets = 0;             ///< by these two
+};
+
+/// Cuts a mesh into the parts of a sketch and places the sketch's markers and anchors ([Wu11] 4.2).
+///
+/// Every part is connected, its boundaries are simple curves of edges. The result does not change when the
+/// model is scaled, moved, rotated or renumbered, apart from ties in a symmetric model. A sketch with fewer
+/// than two parts makes the whole mesh one part, called "whole" when the sketch does not name it.
+/// \throws InputError naming part, stroke and entry (or marker, anchor) when sketch and mesh do not fit, a
+///         component of the mesh has no stroke, a part would be empty; ComputationError naming the vertex
+///         where boundaries cannot be made simple.
+SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options);
+
+}  // namespace partwise
