@@ -50,8 +50,8 @@ BoundaryPlacement place(const Chain& target, double s, int source_vertex) {
   const double span = target.lengths[i + 1] - target.lengths[i];
   const double t = span > 0 ? std::clamp((s - target.lengths[i]) / span, 0.0, 1.0) : 0;
   const int a = target.vertex(i), b = target.vertex(i + 1);
-  if (t < kSnap) return {source_vertex, a, b, 0};
-  if (t > 1 - kSnap) return {source_vertex, b, a, 0};
+  if (t < kSnap) return {source_vertex, a, a, 0};
+  if (t > 1 - kSnap) return {source_vertex, b, b, 0};
   return {source_vertex, a, b, t};
 }
 

@@ -23,7 +23,7 @@ struct HullMap {
 };
 
 /// Where a boundary vertex of the source lies on the target's boundary: on the edge (a, b), at a + fraction
-/// (b - a).
+/// (b - a); a == b when it lies at a vertex.
 struct BoundaryPlacement {
   int source_vertex = 0;
   int target_a = 0;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mapping/boundary_correspondence.h"
+#include "mapping/domains.h"
+
+namespace partwise {
+
+/// How one part came onto the target's hull.
+struct PartCrossing {
+  std::string name;
+  int source_folds = 0;      ///< facets of Q^s not positively oriented: 0 is what keeps the result one-to-one
+  int folds_before = 0;      ///< of the aligned start with its boundary and markers set in place
+  int folds = 0;             ///< of the result
+  double degree = 0;         ///< how often the result covers the hull; 1 for a one-to-one map
+  double distortion = 0;     ///< symmetric Dirichlet against Q^s, 1 for an isometry; 0 when folds are left
+  bool markers_held = true;  ///< false: the markers were let go because folds remained with them
+};
+
+/// Distance of a marker's image from its counterpart's in Q^t, over the target's diagonal.
+struct MarkerDistance {
+  std::string name;
+  double distance = 0;
+};
+
+struct HullToHull {
+  CrossMap map;
+  BoundaryCorrespondence boundary;
+  std::vector<PartCrossing> parts;      ///< in the target's order
+  std::vector<MarkerDistance> markers;  ///< those that constrain a part
+  std::vector<std::string> warnings;    ///< for the user, one sentence each
+};
+
+/// Maps every part of the source, as it lies on its own hull, onto the target's hull ([Wu11] 5.2): boundary
+/// vertices at their arc-length places on the target's boundary, centres of caps on centres of caps, markers
+/// on markers.
+///
+/// Each part is aligned by its fixed points (a linear map about the hulls' centres) and projected centrally,
+/// which keeps a one-to-one map one-to-one, then pulled into place without turning a facet over.
+/// Differs from [Wu11]: Eq. (7-14) in the least-squares sense fold facets over; here distortion against Q^s
+/// is minimised (pin_on_hull), and the boundary is met exactly. A part whose Q^s has folds already starts
+/// from there and is repaired as far as possible. \throws InputError when the models' parts or boundaries do
+/// not correspond.
+HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target);
+
+}  // namespace partwise

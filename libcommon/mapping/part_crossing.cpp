@@ -1,0 +1,249 @@
+#include "mapping/part_crossing.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "mapping/alignment.h"
+#include "mapping/untangle_on_hull.h"
+
+namespace partwise {
+namespace {
+
+constexpr double kCapWeight = 0.1;     ///< how much distortion counts in caps, which no one sees
+constexpr double kStiffness = 0.3;     ///< of the alignment towards a rotation with scaled axes
+constexpr double kLeastStretch = 0.2;  ///< an alignment that flattens more than this is not used
+
+Points about(const Points& points, const Vec3& centre) {
+  Points result = points;
+  for (Vec3& point : result) point -= centre;
+  return result;
+}
+
+int local_vertex(const Part& part, int model_vertex) {
+  const auto end = part.model_vertex.end() - static_cast<std::ptrdiff_t>(part.cap_vertices.size());
+  const auto found = std::lower_bound(part.model_vertex.begin(), end, model_vertex);
+  return found != end && *found == model_vertex ? static_cast<int>(found - part.model_vertex.begin()) : -1;
+}
+
+int local_facet(const Part& part, int model_facet) {
+  const auto found = std::find(part.model_facet.begin(), part.model_facet.end(), model_facet);
+  return static_cast<int>(found - part.model_facet.begin());
+}
+
+Vec3 at(const Facet& f, const Vec3& barycentric, const Points& points) {
+  return barycentric[0] * points[f[0]] + barycentric[1] * points[f[1]] + barycentric[2] * points[f[2]];
+}
+
+int count_folds(const Facets& facets, const Points& points) {
+  return static_cast<int>(std::count_if(facets.begin(), facets.end(), [&](const Facet& f) {
+    const Vec3& p = points[f[0]];
+    return !(p.dot((points[f[1]] - p).cross(points[f[2]] - p)) > 0);
+  }));
+}
+
+/// Sum of the facets' signed solid angles over 4 pi (Van Oosterom and Strackee 1983).
+double covering_degree(const Facets& facets, const Points& points) {
+  double sum = 0;
+  for (const Facet& f : facets) {
+    const Vec3 a = points[f[0]].normalized(), b = points[f[1]].normalized(), c = points[f[2]].normalized();
+    sum += 2 * std::atan2(a.dot((b - a).cross(c - a)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
+  }
+  return sum / (4 * std::numbers::pi);
+}
+
+}  // namespace
+
+PartToHull::PartToHull(const ModelPair& pair, const HullMap& source, const HullMap& target,
+                       const std::vector<BoundaryPlacement>& placements, int part,
+                       const Eigen::Matrix3d& upright)
+    : pair_(pair),
+      source_(source.hulled.parts[pair.source_part[part]]),
+      target_(target.hulled.parts[part]),
+      part_(part),
+      source_hull_(source.hulled.hulls[pair.source_part[part]]),
+      target_hull_(target.hulled.hulls[part]),
+      source_centre_(hull_centre(source_hull_)),
+      target_centre_(hull_centre(target_hull_)),
+      hull_(target_hull_, target_centre_),
+      own_(about(source.images[pair.source_part[part]], source_centre_)),
+      target_images_(about(target.images[part], target_centre_)) {
+  for (int v = 0; v < source_.mesh.vertex_count(); ++v) {
+    weights_.push_back(source_.is_cap_vertex(v) ? kCapWeight : 1);
+  }
+  pin_boundary(placements);
+  pin_caps(placements);
+  find_markers();
+  align(upright);
+}
+
+void PartToHull::pin_boundary(const std::vector<BoundaryPlacement>& placements) {
+  for (const BoundaryPlacement& p : placements) {
+    const int local = local_vertex(source_, p.source_vertex);
+    if (local < 0) continue;
+    const int a = local_vertex(target_, p.target_a), b = local_vertex(target_, p.target_b);
+    const Vec3 goal = (1 - p.fraction) * target_images_[a] + p.fraction * target_images_[b];
+    pins_.push_back({local, hull_.project(goal, 0).position});
+  }
+}
+
+void PartToHull::pin_caps(const std::vector<BoundaryPlacement>& placements) {
+  std::vector<int> target_loop(target_.mesh.vertex_count(), -1);
+  for (std::size_t i = 0; i < target_.loops.size(); ++i) {
+    for (const int v : target_.loops[i]) target_loop[v] = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < source_.loops.size(); ++i) {
+    const std::vector<int>& loop = source_.loops[i];
+    const int model_vertex = source_.model_vertex[loop.front()];
+    const auto place =
+        std::lower_bound(placements.begin(), placements.end(), model_vertex,
+                         [](const BoundaryPlacement& p, int v) { return p.source_vertex < v; });
+    const int there = target_loop[local_vertex(target_, place->target_a)];
+    const Vec3& goal = target_images_[target_.cap_vertices[there]];
+    pins_.push_back({source_.cap_vertices[i], hull_.project(goal, 0).position});
+    for (std::size_t j = 0; j < loop.size(); ++j) {
+      kept_.push_back({loop[j], loop[(j + 1) % loop.size()]});
+      kept_.push_back({loop[j], source_.cap_vertices[i]});
+    }
+  }
+}
+
+void PartToHull::find_markers() {
+  for (const MarkerConstraint& marker : pair_.marker_constraints) {
+    if (marker.part != part_) continue;
+    const Facet& there = target_.mesh.facet(local_facet(target_, marker.target.facet));
+    markers_.push_back({{local_facet(source_, marker.source.facet), marker.source.barycentric},
+                        at(there, marker.target.barycentric, target_images_)});
+  }
+}
+
+void PartToHull::align(const Eigen::Matrix3d& upright) {
+  MatchedPoints matched;
+  // Loops, caps and markers count alike, however finely a loop is cut.
+  const auto caps = static_cast<double>(source_.cap_vertices.size());
+  const double loop_weight = caps / std::max(1.0, static_cast<double>(pins_.size()) - caps);
+  for (const Pin& pin : pins_) {
+    matched.add(own_[pin.vertex], pin.goal, source_.is_cap_vertex(pin.vertex) ? 1 : loop_weight);
+  }
+  for (const LocalMarker& marker : markers_) {
+    matched.add(marker_image(marker, own_), marker.goal);
+  }
+  const Vec3 centre = Vec3::Zero();
+  const Eigen::Matrix3d rotation = fit_rotation(matched, centre, centre, upright);
+  const Eigen::Matrix3d scaled = match_extents(about(source_hull_.points, source_centre_),
+                                               about(target_hull_.points, target_centre_), rotation);
+  linear_ = fit_linear(matched, centre, centre, scaled, kStiffness);
+  const Eigen::Matrix3d change = linear_ * scaled.inverse();
+  const Vec3 stretch = Eigen::JacobiSVD<Eigen::Matrix3d>(change).singularValues();
+  if (change.determinant() <= 0 || stretch[2] < kLeastStretch * stretch[0]) linear_ = scaled;
+  int hint = 0;
+  for (const Vec3& point : own_) {
+    const StarHull::Place place = hull_.project(linear_ * point, hint);
+    start_.push_back(place.position);
+    hint = place.facet;
+  }
+}
+
+Vec3 PartToHull::marker_image(const LocalMarker& marker, const Points& images) const {
+  return at(source_.mesh.facet(marker.source.facet), marker.source.barycentric, images);
+}
+
+/// A marker inside a facet is held by the corner nearest to it that is still free, at a distance that the
+/// alignment foretells.
+std::vector<Pin> PartToHull::marker_pins() const {
+  std::set<int> taken;
+  for (const Pin& pin : pins_) taken.insert(pin.vertex);
+  std::vector<Pin> pins;
+  for (const LocalMarker& marker : markers_) {
+    const Facet& f = source_.mesh.facet(marker.source.facet);
+    std::array<int, 3> corners{0, 1, 2};
+    std::stable_sort(corners.begin(), corners.end(), [&](int i, int j) {
+      return marker.source.barycentric[i] > marker.source.barycentric[j];
+    });
+    const auto corner = std::find_if(corners.begin(), corners.end(), [&](int i) {
+      return marker.source.barycentric[i] > 0 && !taken.contains(f[i]);
+    });
+    if (corner == corners.end()) continue;
+    const int v = f[*corner];
+    taken.insert(v);
+    const Vec3 offset = linear_ * (own_[v] - marker_image(marker, own_));
+    pins.push_back({v, hull_.project(marker.goal + offset, 0).position});
+  }
+  return pins;
+}
+
+/// The aligned start is a similar copy of Q^s that meets its goals: no relaxation can improve it.
+bool PartToHull::is_in_place(const std::vector<Pin>& markers) const {
+  constexpr double kRounding = 1e-10;
+  const double near = kRounding * bounding_box_diagonal(target_hull_.points);
+  const Vec3 stretch = Eigen::JacobiSVD<Eigen::Matrix3d>(linear_).singularValues();
+  if (stretch[0] - stretch[2] > kRounding * stretch[0]) return false;
+  for (std::size_t v = 0; v < own_.size(); ++v) {
+    if ((start_[v] - linear_ * own_[v]).norm() > near) return false;
+  }
+  auto met = [&](const Pin& pin) { return (start_[pin.vertex] - pin.goal).norm() <= near; };
+  return std::all_of(pins_.begin(), pins_.end(), met) && std::all_of(markers.begin(), markers.end(), met);
+}
+
+PinnedMap PartToHull::pinned(const Points& start, const std::vector<Pin>& pins) const {
+  std::vector<Pin> all = pins_;
+  all.insert(all.end(), pins.begin(), pins.end());
+  if (count_folds(source_.mesh.facets(), start) == 0) {
+    return pin_on_hull(source_.mesh.with_points(own_), weights_, hull_, start, all, kept_);
+  }
+  // A folded Q^s is no measure of distortion: the undeformed part is.
+  std::vector<bool> fixed(start.size(), false);
+  PinnedMap result;
+  result.images = start;
+  for (const Pin& pin : all) {
+    fixed[pin.vertex] = true;
+    result.images[pin.vertex] = pin.goal;
+  }
+  result.images = untangle_on_hull(source_.mesh, hull_, result.images, fixed).images;
+  for (const Pin& pin : all) result.images[pin.vertex] = pin.goal;
+  result.folds = count_folds(source_.mesh.facets(), result.images);
+  return result;
+}
+
+PartToHull::Result PartToHull::run() const {
+  Result result;
+  PartCrossing& crossing = result.crossing;
+  const Facets& facets = source_.mesh.facets();
+  const std::vector<Pin> markers = marker_pins();
+  Points placed = start_;
+  for (const Pin& pin : pins_) placed[pin.vertex] = pin.goal;
+  for (const Pin& pin : markers) placed[pin.vertex] = pin.goal;
+  crossing.source_folds = count_folds(facets, own_);
+  crossing.folds_before = count_folds(facets, placed);
+
+  PinnedMap map;
+  if (is_in_place(markers)) {
+    map.images = placed;
+    map.folds = crossing.folds_before;
+    map.distortion = 1;
+  } else {
+    map = pinned(start_, markers);
+  }
+  if (map.folds > 0 && !markers.empty()) {
+    PinnedMap loose = pinned(start_, {});
+    if (loose.folds < map.folds) {
+      map = std::move(loose);
+      crossing.markers_held = false;
+    }
+  }
+  crossing.name = pair_.target.segmentation.names[part_];
+  crossing.folds = map.folds;
+  crossing.degree = covering_degree(facets, map.images);
+  crossing.distortion = map.folds == 0 ? map.distortion : 0;
+  for (const LocalMarker& marker : markers_) {
+    const Vec3 image = hull_.project(marker_image(marker, map.images), 0).position;
+    result.marker_distances.push_back((image - hull_.project(marker.goal, 0).position).norm());
+  }
+  for (const Vec3& image : map.images) result.images.push_back(target_centre_ + image);
+  return result;
+}
+
+}  // namespace partwise

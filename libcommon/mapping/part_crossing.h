@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+
+#include "mapping/hull_to_hull.h"
+#include "mapping/model_pair.h"
+#include "mapping/pin_on_hull.h"
+
+namespace partwise {
+
+/// One part of the source on its way to the target's hull; everything relative to the two hulls' centres.
+class PartToHull {
+ public:
+  /// \param part in the target's order
+  /// \param upright the rotation to fall back on where the part's fixed points leave it open
+  PartToHull(const ModelPair& pair, const HullMap& source, const HullMap& target,
+             const std::vector<BoundaryPlacement>& placements, int part, const Eigen::Matrix3d& upright);
+
+  struct Result {
+    Points images;  ///< per local vertex of the source's part, in the target's space
+    PartCrossing crossing;
+    std::vector<double> marker_distances;  ///< per marker constraint of this part, in units of the model
+  };
+  Result run() const;
+
+ private:
+  /// A marker of this part: its point in local facets of both parts, and where it belongs.
+  struct LocalMarker {
+    SurfacePoint source;
+    Vec3 goal = Vec3::Zero();  ///< in the facet of Q^t, hence within the hull
+  };
+
+  void pin_boundary(const std::vector<BoundaryPlacement>& placements);
+  void pin_caps(const std::vector<BoundaryPlacement>& placements);
+  void find_markers();
+  void align(const Eigen::Matrix3d& upright);
+  std::vector<Pin> marker_pins() const;
+  Vec3 marker_image(const LocalMarker& marker, const Points& images) const;
+  bool is_in_place(const std::vector<Pin>& markers) const;
+  PinnedMap pinned(const Points& start, const std::vector<Pin>& pins) const;
+
+  const ModelPair& pair_;
+  const Part& source_;
+  const Part& target_;
+  int part_;
+  const ConvexHull& source_hull_;
+  const ConvexHull& target_hull_;
+  Vec3 source_centre_, target_centre_;
+  StarHull hull_;
+  Points own_;            ///< Q^s about the source's centre
+  Points target_images_;  ///< Q^t about the target's centre
+  std::vector<double> weights_;
+  std::vector<std::array<int, 2>> kept_;
+  std::vector<Pin> pins_;  ///< boundary and caps
+  std::vector<LocalMarker> markers_;
+  Eigen::Matrix3d linear_ = Eigen::Matrix3d::Identity();
+  Points start_;
+};
+
+}  // namespace partwise
