@@ -12,14 +12,16 @@ constexpr double kRelaxation = 0.01;  // epsilon of Eq. (10)
 std::vector<HullApproach> approach_hull(const std::vector<int>& vertices, const Points& points,
                                         const Points& normals, const SurfaceIndex& hull,
                                         const Points& hull_facet_normals) {
+  // Rays start a little behind the vertex, so that one on the hull itself does not look past it.
+  const double behind = 1e-9 * bounding_box_diagonal(points);
   std::vector<HullApproach> approaches;
   for (const int i : vertices) {
     const Vec3& normal = normals[i];
     if (normal.isZero()) continue;
-    std::optional<SurfaceHit> hit = hull.first_hit(points[i], normal);
-    if (!hit) hit = hull.first_hit(points[i], -normal);
+    std::optional<SurfaceHit> hit = hull.first_hit(points[i] - behind * normal, normal);
+    if (!hit) hit = hull.first_hit(points[i] + behind * normal, -normal);
     if (!hit || hull_facet_normals[hit->point.facet].dot(normal) <= 0) continue;
-    approaches.push_back({i, hit->position, hit->distance});
+    approaches.push_back({i, hit->position, (hit->position - points[i]).norm()});
   }
   return approaches;
 }

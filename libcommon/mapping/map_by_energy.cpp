@@ -27,8 +27,29 @@ struct HullTarget {
       : index(hull.points, hull.facets), normals(facet_normals(hull.points, hull.facets)) {}
 };
 
-/// Vertices that lie farther from the hull, along their normals, than all others within two edges: the
-/// deepest points of hollows, with their places on the hull.
+/// Per vertex: the largest of its own value and its neighbours'.
+std::vector<double> largest_around(const VertexWeights& neighbours, const std::vector<double>& values) {
+  std::vector<double> largest = values;
+  for (int i = 0; i < neighbours.rows(); ++i) {
+    for (VertexWeights::InnerIterator j(neighbours, i); j; ++j)
+      largest[i] = std::max(largest[i], values[j.col()]);
+  }
+  return largest;
+}
+
+/// Whether nothing of the part stands between a vertex and its place on the hull.
+bool sees_hull(const HullApproach& approach, const TriMesh& mesh, const SurfaceIndex& surface) {
+  const Vec3& from = mesh.point(approach.vertex);
+  const double ownself = 1e-9 * mesh.diagonal();  // the ray starts on the surface
+  const std::vector<SurfaceHit> hits = surface.all_hits(from, approach.target - from);
+  return std::none_of(hits.begin(), hits.end(), [&](const SurfaceHit& hit) {
+    return hit.distance > ownself && hit.distance < approach.distance - ownself;
+  });
+}
+
+/// Vertices that lie farther from the hull, along their normals, than all others within two edges, with their
+/// places on the hull: the deepest points of hollows. Hollows that do not see the hull along that normal (a
+/// mouth, an armpit) have no meaningful place there.
 std::vector<VertexTarget> concave_extreme_points(const TriMesh& mesh, const VertexWeights& neighbours,
                                                  const HullTarget& hull, const std::vector<int>& candidates) {
   const Points normals = vertex_normals(mesh.points(), mesh.facets());
@@ -36,19 +57,13 @@ std::vector<VertexTarget> concave_extreme_points(const TriMesh& mesh, const Vert
       approach_hull(candidates, mesh.points(), normals, hull.index, hull.normals);
   std::vector<double> depth(mesh.vertex_count(), 0.0);
   for (const HullApproach& approach : approaches) depth[approach.vertex] = approach.distance;
-  const auto largest_around = [&](const std::vector<double>& values) {
-    std::vector<double> largest = values;
-    for (int i = 0; i < mesh.vertex_count(); ++i) {
-      for (VertexWeights::InnerIterator j(neighbours, i); j; ++j)
-        largest[i] = std::max(largest[i], values[j.col()]);
-    }
-    return largest;
-  };
-  const std::vector<double> largest = largest_around(largest_around(depth));
+  const std::vector<double> largest = largest_around(neighbours, largest_around(neighbours, depth));
+  const SurfaceIndex surface(mesh);
   const double least = kLeastHollow * mesh.diagonal();
   std::vector<VertexTarget> extreme;
   for (const HullApproach& approach : approaches) {
-    if (approach.distance > least && approach.distance >= largest[approach.vertex])
+    const bool is_deepest = approach.distance > least && approach.distance >= largest[approach.vertex];
+    if (is_deepest && sees_hull(approach, mesh, surface))
       extreme.push_back({approach.vertex, approach.target});
   }
   return extreme;
@@ -79,13 +94,16 @@ std::vector<VertexTarget> global_constraints(const Part& part, const ConvexHull&
   return constraints;
 }
 
-/// Normals of the shape as it is now, held back where they change suddenly: a facet that turns over for a
-/// moment must not send its vertices to the other side of the hull.
+/// Normals of the shape as it is now; where one turns by more than 90 degrees at once, only half of the way:
+/// a facet that turns over for a moment must not send its vertices to the other side of the hull.
 void follow_normals(Points& normals, const Points& points, const Facets& facets) {
   const Points current = vertex_normals(points, facets);
   for (std::size_t v = 0; v < normals.size(); ++v) {
-    if (current[v].dot(normals[v]) > 0) normals[v] = (normals[v] + current[v]).normalized();
-    if (normals[v].isZero()) normals[v] = current[v];
+    const Vec3 halfway = normals[v] + current[v];
+    if (current[v].dot(normals[v]) >= 0)
+      normals[v] = current[v];
+    else if (halfway.norm() > 0.1)
+      normals[v] = halfway.normalized();
   }
 }
 
@@ -112,7 +130,7 @@ Points minimise_energy(const Part& part, const ConvexHull& hull, const HullTarge
   system.add(1, laplacian);
   system.add(options.global_weight, global);
   Points points = system.minimise();
-  Points normals = vertex_normals(mesh.points(), mesh.facets());
+  Points normals = vertex_normals(points, mesh.facets());
   for (int step = 0; step < options.steps; ++step) {
     const double along = options.steps > 1 ? static_cast<double>(step) / (options.steps - 1) : 1;
     const double convex_weight =
