@@ -133,4 +133,10 @@ CriticalPoints find_critical_points(const TriMesh& mesh, const CriticalPointOpti
   return best;
 }
 
+CriticalPoints find_critical_points(const CompatibleMesh& mesh, const CriticalPointOptions& options) {
+  CriticalPointOptions bounded = options;
+  bounded.count = limit_of(mesh.source, options);
+  return find_critical_points(mesh.target, bounded);
+}
+
 }  // namespace partwise

@@ -32,4 +32,8 @@ struct CriticalPoints {
 /// \throws InputError when the options are out of range
 CriticalPoints find_critical_points(const TriMesh& mesh, const CriticalPointOptions& options = {});
 
+/// Those of a compatible mesh's target, at most the share `fraction` of the vertices of the coarser of source
+/// and target: every one of them is to be carried by a source vertex.
+CriticalPoints find_critical_points(const CompatibleMesh& mesh, const CriticalPointOptions& options = {});
+
 }  // namespace partwise

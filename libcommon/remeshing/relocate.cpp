@@ -1,0 +1,93 @@
+#include "remeshing/relocate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.h"
+#include "geometry/surface_index.h"
+
+namespace partwise {
+namespace {
+
+struct Distances {
+  double rms = 0, max = 0;
+};
+
+/// From the target's vertices to the mesh, over the target's diagonal.
+Distances coverage(const MeshOnSurface& mesh) {
+  const SurfaceIndex surface(mesh.points(), mesh.source().facets());
+  Distances result;
+  for (const Vec3& p : mesh.target().points()) {
+    const double distance = surface.closest(p).distance;
+    result.rms += distance * distance;
+    result.max = std::max(result.max, distance);
+  }
+  const double diagonal = mesh.target().diagonal();
+  result.rms = std::sqrt(result.rms / mesh.target().vertex_count()) / diagonal;
+  result.max /= diagonal;
+  return result;
+}
+
+void check(const RelocateOptions& options) {
+  if (options.rounds < 0) throw InputError("the number of relocation rounds must not be negative");
+  if (!(options.lambda > 0) || options.lambda > 1) {
+    throw InputError("lambda is " + std::to_string(options.lambda) + "; give a number above 0 and at most 1");
+  }
+  if (!(options.critical.weight > 0)) throw InputError("the weight of critical points must be positive");
+  if (!(options.fit.threshold >= 0)) throw InputError("the threshold of the fit must not be negative");
+}
+
+CompatibleMesh with_images(const CompatibleMesh& mesh, const MeshOnSurface& moved) {
+  CompatibleMesh result = mesh;
+  result.map = SurfaceMap(mesh.source, mesh.target, moved.images());
+  result.points = result.map.positions(mesh.target);
+  return result;
+}
+
+}  // namespace
+
+double relocation_round(MeshOnSurface& mesh, const VertexWeights& weights, double lambda) {
+  double sum = 0;
+  const int count = mesh.source().vertex_count();
+  for (int v = 0; v < count; ++v) {
+    const Vec3 from = mesh.points()[v];
+    Vec3 mean = Vec3::Zero();
+    for (VertexWeights::InnerIterator it(weights, v); it; ++it) mean += it.value() * mesh.points()[it.col()];
+    if (mesh.move_towards(v, from + lambda * (mean - from))) sum += (mesh.points()[v] - from).norm();
+  }
+  return sum / count;
+}
+
+Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) {
+  check(options);
+  MeshOnSurface moving(mesh);
+  RelocateMetrics metrics;
+  metrics.critical_points = static_cast<int>(mesh.critical_points.size());
+  metrics.flipped_before = moving.flipped_count();
+  const Distances before = coverage(moving);
+  metrics.rms_distance_before = before.rms;
+  metrics.max_distance_before = before.max;
+
+  const std::vector<CriticalPair> pairs = fit_critical_points(moving, mesh.critical_points, options.critical);
+  metrics.critical_reached = static_cast<int>(pairs.size());
+  for (const CriticalPair& pair : pairs) moving.pin(pair.vertex);
+  const VertexWeights weights = mean_value_weights(mesh.source.points(), mesh.source.facets());
+  while (metrics.rounds < options.rounds) {
+    ++metrics.rounds;
+    const double moved = relocation_round(moving, weights, options.lambda);
+    if (moved < options.convergence * mesh.target.diagonal()) break;
+  }
+  if (unfold(moving, options.unfold) > 0) {
+    for (const CriticalPair& pair : pairs) moving.unpin(pair.vertex);
+    unfold(moving, options.unfold);
+  }
+  metrics.fit_moves = fit_coverage(moving, options.fit);
+
+  metrics.flipped_after = moving.flipped_count();
+  const Distances after = coverage(moving);
+  metrics.rms_distance_after = after.rms;
+  metrics.max_distance_after = after.max;
+  return {with_images(mesh, moving), metrics};
+}
+
+}  // namespace partwise

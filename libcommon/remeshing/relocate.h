@@ -1,0 +1,51 @@
+#pragma once
+
+#include "geometry/mean_value_weights.h"
+#include "remeshing/coverage_fit.h"
+#include "remeshing/critical_fit.h"
+#include "remeshing/unfold.h"
+
+namespace partwise {
+
+struct RelocateOptions {
+  int rounds = 4;             ///< of vertex relocation, Eq. (18); >= 0
+  double lambda = 0.5;        ///< share of the way to the weighted mean of the neighbours, in (0, 1]
+  double convergence = 1e-4;  ///< rounds end when the mean move falls below this, over the diagonal
+  CriticalFitOptions critical = {};
+  CoverageFitOptions fit = {};
+  UnfoldOptions unfold = {};
+};
+
+struct RelocateMetrics {
+  int critical_points = 0;   ///< of the target
+  int critical_reached = 0;  ///< those at which a vertex was brought
+  int rounds = 0;            ///< of relocation
+  int fit_moves = 0;
+  int flipped_before = 0, flipped_after = 0;
+  double rms_distance_before = 0, rms_distance_after = 0;  ///< target's vertices to the mesh, over l
+  double max_distance_before = 0, max_distance_after = 0;
+};
+
+struct Relocation {
+  CompatibleMesh mesh;
+  RelocateMetrics metrics;
+};
+
+/// Moves the vertices of a compatible mesh over the target, so that it takes the target's features and its
+/// facets the source's shape ([Wu11] 6.1.2, 6.2): critical points (Eq. (17)), vertex relocation by the
+/// source's mean-value weights (Eq. (18)), then unfolding of what is flipped, and a fit of what is missed.
+///
+/// Every vertex stays exactly on the target and the map is kept. Markers (at source vertices), critical
+/// points that were reached, and the boundary of an open source stay in place during relocation. No step adds
+/// a flipped facet.
+///
+/// Differs from [Wu11]: a vertex walks over the target instead of leaving it and being projected back, so
+/// that it never lands on another sheet that is near in space; its step is lambda times the way to the
+/// weighted mean, as the distance to the target by which the paper divides is 0. \throws InputError when
+/// options are out of range
+Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options = {});
+
+/// One round of Eq. (18), vertex by vertex; returns the mean length of the moves, in units of the model.
+double relocation_round(MeshOnSurface& mesh, const VertexWeights& weights, double lambda);
+
+}  // namespace partwise
