@@ -43,9 +43,11 @@ void require_one_component(const TriMesh& mesh) {
 }
 
 std::vector<int> raw_labels(const TriMesh& mesh, const Seeds& seeds, int part_count,
-                            const std::vector<double>& concavity, SegmentationMethod method) {
-  if (method == SegmentationMethod::growth) return grow_regions(mesh, seeds);
-  return most_probable_parts(walk_randomly(mesh, seeds, part_count, concavity));
+                            const std::vector<double>& concavity, const std::vector<double>& costs,
+                            const SegmentationOptions& options) {
+  if (options.method == SegmentationMethod::growth) return grow_regions(mesh, seeds);
+  const PartProbabilities probabilities = walk_randomly(mesh, seeds, part_count, concavity);
+  return cut_band(mesh, seeds, probabilities, costs, options.band_cut);
 }
 
 }  // namespace
@@ -62,10 +64,10 @@ SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const Segm
   } else {
     const Seeds seeds = collect_seeds(mesh, names, strokes);
     const std::vector<double> concavity = edge_concavity(mesh);
-    repaired =
-        repair_labels(mesh, names, seeds,
-                      raw_labels(mesh, seeds, static_cast<int>(names.size()), concavity, options.method),
-                      boundary_costs(mesh, concavity));
+    const std::vector<double> costs = boundary_costs(mesh, concavity);
+    repaired = repair_labels(
+        mesh, names, seeds,
+        raw_labels(mesh, seeds, static_cast<int>(names.size()), concavity, costs, options), costs);
   }
   Segmentation segmentation = trace_boundaries(mesh, names, std::move(repaired.labels));
   std::vector<Marker> markers = place_markers(sketch, places);

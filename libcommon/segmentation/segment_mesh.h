@@ -4,17 +4,19 @@
 #include <vector>
 
 #include "mesh/segmentation.h"
+#include "segmentation/band_cut.h"
 #include "segmentation/sketch.h"
 
 namespace partwise {
 
 enum class SegmentationMethod {
-  walker,  ///< random walker over facets, see random_walker.h
+  walker,  ///< random walker over facets, boundaries cut in a narrow band, see random_walker.h and band_cut.h
   growth   ///< as in the paper, see growth.h
 };
 
 struct SegmentationOptions {
   SegmentationMethod method = SegmentationMethod::walker;
+  BandCutOptions band_cut;
   double snap_limit = 0.05;  ///< how far sketched points may lie from the surface, over the diagonal
   double tau = 0.1;          ///< concavity above which a part should be decomposed further, over the diagonal
 };
