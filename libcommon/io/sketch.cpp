@@ -3,11 +3,13 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "error.h"
+#include "io/schema_validation.h"
 
 namespace partwise::io {
 namespace {
@@ -16,10 +18,6 @@ constexpr const char* kSchema = "partwise/sketch-1";
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
   throw InputError(where + ": " + what);
-}
-
-std::string entry(const std::string& where, std::size_t index) {
-  return where + ", entry " + std::to_string(index);
 }
 
 const Json& member(const Json& object, const char* key, const std::string& where) {
@@ -89,26 +87,27 @@ Camera camera(const Json& json, const std::string& where) {
   return result;
 }
 
+/// Reads every entry of the array under `form`; there must be at least one.
+template <class Read>
+auto entries(const Json& json, const char* form, const std::string& where, Read read) {
+  const Json& list = array(json[form], where + ", '" + form + "'");
+  if (list.empty()) fail(where, std::string("'") + form + "' is empty");
+  std::vector<decltype(read(list, where))> result;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    result.push_back(read(list[i], where + ", entry " + std::to_string(i)));
+  }
+  return result;
+}
+
 Stroke stroke(const Json& json, const std::string& where) {
   if (!json.is_object()) fail(where, "expected an object");
-  const int forms = json.contains("vertices") + json.contains("points") + json.contains("screen");
-  if (forms != 1) fail(where, "give exactly one of 'vertices', 'points', 'screen'");
-  const char* form = json.contains("vertices") ? "vertices" : json.contains("points") ? "points" : "screen";
-  const Json& entries = array(json[form], where + ", '" + form + "'");
-  if (entries.empty()) fail(where, std::string("'") + form + "' is empty");
-  VertexStroke vertices;
-  PointStroke points;
-  ScreenStroke screen;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::string here = entry(where, i);
-    if (*form == 'v') vertices.vertices.push_back(index(entries[i], here));
-    if (*form == 'p') points.points.push_back(vector<3>(entries[i], here));
-    if (*form == 's') screen.polyline.push_back(vector<2>(entries[i], here));
+  if (json.contains("vertices") + json.contains("points") + json.contains("screen") != 1) {
+    fail(where, "give exactly one of 'vertices', 'points', 'screen'");
   }
-  if (*form == 'v') return vertices;
-  if (*form == 'p') return points;
-  screen.camera = camera(member(json, "camera", where), where + ", camera");
-  return screen;
+  if (json.contains("vertices")) return VertexStroke{entries(json, "vertices", where, index)};
+  if (json.contains("points")) return PointStroke{entries(json, "points", where, vector<3>)};
+  return ScreenStroke{entries(json, "screen", where, vector<2>),
+                      camera(member(json, "camera", where), where + ", camera")};
 }
 
 Place place(const Json& json, const std::string& where) {
@@ -180,20 +179,24 @@ Sketch parse_sketch(const Json& json) {
     sketch.mesh = SketchedMesh{index(member(json["mesh"], "vertices", "mesh"), "mesh, vertices"),
                                index(member(json["mesh"], "faces", "mesh"), "mesh, faces")};
   }
+  validate_metadata(json);  // last: its paths say less than the names in the messages above
   return sketch;
 }
 
-Sketch read_sketch(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw IoError(path + ": cannot open the sketch for reading; check name and permissions");
-  Json json;
+Sketch parse_sketch(const std::string& text) {
   try {
-    json = Json::parse(in);
+    return parse_sketch(Json::parse(text));
   } catch (const Json::parse_error& error) {
-    throw InputError(path + ": this is not JSON: " + error.what());
+    throw InputError(std::string("this is not JSON: ") + error.what());
   }
+}
+
+Sketch read_sketch(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw IoError(path + ": cannot open the sketch for reading; check name and permissions");
+  const std::string text(std::istreambuf_iterator<char>(in), {});
   try {
-    return parse_sketch(json);
+    return parse_sketch(text);
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
   }

@@ -9,14 +9,16 @@ namespace partwise::io {
 
 /// The sketch (partwise/sketch-1) in `json`.
 ///
-/// Checked here: forms and types, unique names, anchors between known parts, barycentric coordinates that are
-/// not negative and sum to 1 (within 1e-6; they are then scaled to sum exactly), invertible cameras. Whether
-/// vertices and facets exist is checked where the sketch meets its mesh (segment_mesh).
-/// \throws InputError naming part, stroke and entry (0-based), marker or anchor.
+/// Checked: forms and types, unique names, anchors between known parts, barycentric coordinates that are not
+/// negative and sum to 1 (within 1e-6; they are then scaled to sum exactly), invertible cameras, then the
+/// sketch's schema. Whether vertices and facets exist is checked where the sketch meets its mesh
+/// (segment_mesh). \throws InputError naming part, stroke and entry (0-based), marker or anchor.
 Sketch parse_sketch(const Json& json);
 
-/// Reads a sketch from a file. \throws IoError; InputError as parse_sketch, or naming the line of a JSON
-/// error.
+/// The same from JSON text. \throws InputError also naming the line of a JSON error.
+Sketch parse_sketch(const std::string& text);
+
+/// Reads a sketch from a file. \throws IoError; InputError as parse_sketch, with the path in front.
 Sketch read_sketch(const std::string& path);
 
 }  // namespace partwise::io

@@ -15,7 +15,7 @@ using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 using Tensor = Eigen::Matrix3d;
 
-constexpr double kRadius = 0.012;  // of the diagonal
+constexpr double kRadius = 0.014;  // of the diagonal
 constexpr double kCrease = 20;     // concavity at which an edge counts as a crease
 
 struct EdgeEnds {
@@ -42,7 +42,7 @@ double dihedral_angle(const TriMesh& mesh, const Points& normals, int edge) {
   return std::atan2(n.cross(m).dot(direction), n.dot(m));
 }
 
-/// Curvature tensor times area, and area, per vertex.
+/// Curvature tensor times area, and area, of the 1-ring of every vertex.
 struct VertexBending {
   std::vector<Tensor, Eigen::aligned_allocator<Tensor>> tensor;
   std::vector<double> area;
@@ -53,7 +53,7 @@ VertexBending bending_of_rings(const TriMesh& mesh) {
                         std::vector<double>(mesh.vertex_count(), 0.0)};
   const std::vector<double> areas = facet_areas(mesh.points(), mesh.facets());
   for (int f = 0; f < mesh.facet_count(); ++f) {
-    for (const int v : mesh.facet(f)) bending.area[v] += areas[f] / 3;
+    for (const int v : mesh.facet(f)) bending.area[v] += areas[f];
   }
   const Points normals = facet_normals(mesh.points(), mesh.facets());
   for (int e = 0; e < static_cast<int>(mesh.half_edges().n_edges()); ++e) {
@@ -61,9 +61,9 @@ VertexBending bending_of_rings(const TriMesh& mesh) {
     const Vec3 edge = mesh.point(to) - mesh.point(from);
     const double length = edge.norm();
     if (length == 0) continue;
-    const Tensor half = dihedral_angle(mesh, normals, e) / (2 * length) * edge * edge.transpose();
-    bending.tensor[from] += half;
-    bending.tensor[to] += half;
+    const Tensor bend = dihedral_angle(mesh, normals, e) / length * edge * edge.transpose();
+    bending.tensor[from] += bend;
+    bending.tensor[to] += bend;
   }
   return bending;
 }

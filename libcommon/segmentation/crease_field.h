@@ -8,7 +8,7 @@ namespace partwise {
 
 /// Per edge (OpenMesh index): how strongly the surface bends inwards across it, dimensionless, >= 0.
 ///
-/// Per vertex the curvature tensor T = sum beta |e| e e^T / area over the neighbourhood of radius 0.012 l,
+/// Per vertex the curvature tensor T = sum beta |e| e e^T / area, summed over the 1-rings within 0.014 l,
 /// with e the unit edge directions and beta the signed dihedral angles (convex positive); an edge of
 /// direction u gets max(0, -l u^T T u), T the mean of its ends. Unchanged by similarities: l is the model's
 /// diagonal.
