@@ -1,13 +1,40 @@
 #include "mapping/hull_to_hull.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "error.h"
 #include "mapping/parallel_parts.h"
 #include "mapping/part_crossing.h"
+#include "segmentation/compatibility.h"
 
 namespace partwise {
 namespace {
+
+/// The landmarks of `landmarks` that `others` name too.
+template <class Landmark>
+std::vector<Landmark> shared(std::vector<Landmark> landmarks, const std::vector<Landmark>& others) {
+  std::erase_if(landmarks, [&](const Landmark& landmark) {
+    return std::none_of(others.begin(), others.end(),
+                        [&](const Landmark& other) { return other.name == landmark.name; });
+  });
+  return landmarks;
+}
+
+/// Landmarks on one model only are no reason to refuse: they are not used, and a warning says so.
+void require_compatible(const SegmentedModel& source, const SegmentedModel& target) {
+  SegmentedModel first = source, second = target;
+  first.markers = shared(source.markers, target.markers);
+  first.anchors = shared(source.anchors, target.anchors);
+  second.markers = shared(target.markers, source.markers);
+  second.anchors = shared(target.anchors, source.anchors);
+  const std::vector<std::string> differences = compare_segmentations(first, second);
+  if (differences.empty()) return;
+  std::string text = "the models' parts do not correspond (first model: source, second: target)";
+  for (const std::string& difference : differences) text += "; " + difference;
+  throw InputError(text + ". Correct a sketch; segment --check compares two segmentations");
+}
 
 /// A turn that is hardly better than another one deserves a word.
 void warn_of_uncertain_turns(const ModelPair& pair, HullToHull& result) {
@@ -38,6 +65,7 @@ void warn_of_parts(HullToHull& result) {
 }  // namespace
 
 HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target) {
+  require_compatible(source.hulled.model, target.hulled.model);
   const ModelPair pair = pair_models(source.hulled.model, target.hulled.model);
   HullToHull result{{pair.source, target, {}, {}, {}, pair.markers}, match_boundaries(pair), {}, {}, {}};
   result.warnings = pair.warnings;

@@ -3,12 +3,11 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
 #include "mapping/alignment.h"
 #include "mapping/untangle_on_hull.h"
+#include "measure/hull_folds.h"
 
 namespace partwise {
 namespace {
@@ -36,23 +35,6 @@ int local_facet(const Part& part, int model_facet) {
 
 Vec3 at(const Facet& f, const Vec3& barycentric, const Points& points) {
   return barycentric[0] * points[f[0]] + barycentric[1] * points[f[1]] + barycentric[2] * points[f[2]];
-}
-
-int count_folds(const Facets& facets, const Points& points) {
-  return static_cast<int>(std::count_if(facets.begin(), facets.end(), [&](const Facet& f) {
-    const Vec3& p = points[f[0]];
-    return !(p.dot((points[f[1]] - p).cross(points[f[2]] - p)) > 0);
-  }));
-}
-
-/// Sum of the facets' signed solid angles over 4 pi (Van Oosterom and Strackee 1983).
-double covering_degree(const Facets& facets, const Points& points) {
-  double sum = 0;
-  for (const Facet& f : facets) {
-    const Vec3 a = points[f[0]].normalized(), b = points[f[1]].normalized(), c = points[f[2]].normalized();
-    sum += 2 * std::atan2(a.dot((b - a).cross(c - a)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
-  }
-  return sum / (4 * std::numbers::pi);
 }
 
 }  // namespace
@@ -191,7 +173,7 @@ bool PartToHull::is_in_place(const std::vector<Pin>& markers) const {
 PinnedMap PartToHull::pinned(const Points& start, const std::vector<Pin>& pins) const {
   std::vector<Pin> all = pins_;
   all.insert(all.end(), pins.begin(), pins.end());
-  if (count_folds(source_.mesh.facets(), start) == 0) {
+  if (hull_folds(start, source_.mesh.facets(), Vec3::Zero()).count() == 0) {
     return pin_on_hull(source_.mesh.with_points(own_), weights_, hull_, start, all, kept_);
   }
   // A folded Q^s is no measure of distortion: the undeformed part is.
@@ -204,7 +186,7 @@ PinnedMap PartToHull::pinned(const Points& start, const std::vector<Pin>& pins) 
   }
   result.images = untangle_on_hull(source_.mesh, hull_, result.images, fixed).images;
   for (const Pin& pin : all) result.images[pin.vertex] = pin.goal;
-  result.folds = count_folds(source_.mesh.facets(), result.images);
+  result.folds = hull_folds(result.images, source_.mesh.facets(), Vec3::Zero()).count();
   return result;
 }
 
@@ -216,8 +198,8 @@ PartToHull::Result PartToHull::run() const {
   Points placed = start_;
   for (const Pin& pin : pins_) placed[pin.vertex] = pin.goal;
   for (const Pin& pin : markers) placed[pin.vertex] = pin.goal;
-  crossing.source_folds = count_folds(facets, own_);
-  crossing.folds_before = count_folds(facets, placed);
+  crossing.source_folds = hull_folds(own_, facets, Vec3::Zero()).count();
+  crossing.folds_before = hull_folds(placed, facets, Vec3::Zero()).count();
 
   PinnedMap map;
   if (is_in_place(markers)) {
@@ -235,14 +217,15 @@ PartToHull::Result PartToHull::run() const {
     }
   }
   crossing.name = pair_.target.segmentation.names[part_];
-  crossing.folds = map.folds;
-  crossing.degree = covering_degree(facets, map.images);
-  crossing.distortion = map.folds == 0 ? map.distortion : 0;
   for (const LocalMarker& marker : markers_) {
     const Vec3 image = hull_.project(marker_image(marker, map.images), 0).position;
     result.marker_distances.push_back((image - hull_.project(marker.goal, 0).position).norm());
   }
   for (const Vec3& image : map.images) result.images.push_back(target_centre_ + image);
+  const HullFolds folds = hull_folds(result.images, facets, target_centre_);
+  crossing.folds = folds.count();
+  crossing.degree = folds.degree;
+  crossing.distortion = crossing.folds == 0 ? map.distortion : 0;
   return result;
 }
 
