@@ -55,9 +55,10 @@ void warn_of_parts(HullToHull& result) {
       result.warnings.push_back("the markers of part '" + part.name +
                                 "' could not be reached without folds: they were let go");
     }
-    if (part.folds > 0) {
-      result.warnings.push_back("part '" + part.name + "' has " + std::to_string(part.folds) +
-                                " folded facets on the target's hull");
+    const int free_folds = part.folds - part.locked_folds;
+    if (free_folds > 0) {
+      result.warnings.push_back("part '" + part.name + "' has " + std::to_string(free_folds) +
+                                " folded facets on the target's hull besides those along its boundary");
     }
   }
 }

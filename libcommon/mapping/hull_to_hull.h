@@ -11,9 +11,11 @@ namespace partwise {
 /// How one part came onto the target's hull.
 struct PartCrossing {
   std::string name;
-  int source_folds = 0;      ///< facets of Q^s not positively oriented: 0 is what keeps the result one-to-one
-  int folds_before = 0;      ///< of the aligned start with its boundary and markers set in place
-  int folds = 0;             ///< of the result
+  int source_folds = 0;  ///< facets of Q^s not positively oriented: 0 is what keeps the result one-to-one
+  int folds_before = 0;  ///< of the aligned start with its boundary and markers set in place
+  int folds = 0;         ///< of the result
+  /// Of these, facets whose three corners lie on the boundary: the target's curve bends the other way there.
+  int locked_folds = 0;
   double degree = 0;         ///< how often the result covers the hull; 1 for a one-to-one map
   double distortion = 0;     ///< symmetric Dirichlet against Q^s, 1 for an isometry; 0 when folds are left
   bool markers_held = true;  ///< false: the markers were let go because folds remained with them

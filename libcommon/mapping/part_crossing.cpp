@@ -190,6 +190,17 @@ PinnedMap PartToHull::pinned(const Points& start, const std::vector<Pin>& pins) 
   return result;
 }
 
+/// Folded facets that have a corner off the boundary: the others are as their boundary makes them.
+int PartToHull::free_folds(const Points& images) const {
+  std::vector<bool> on_boundary(images.size(), false);
+  for (const Pin& pin : pins_) on_boundary[pin.vertex] = true;
+  const std::vector<int> folded = hull_folds(images, source_.mesh.facets(), Vec3::Zero()).folded;
+  return static_cast<int>(std::count_if(folded.begin(), folded.end(), [&](int f) {
+    const Facet& facet = source_.mesh.facet(f);
+    return !std::all_of(facet.begin(), facet.end(), [&](int v) { return on_boundary[v]; });
+  }));
+}
+
 PartToHull::Result PartToHull::run() const {
   Result result;
   PartCrossing& crossing = result.crossing;
@@ -209,9 +220,9 @@ PartToHull::Result PartToHull::run() const {
   } else {
     map = pinned(start_, markers);
   }
-  if (map.folds > 0 && !markers.empty()) {
+  if (free_folds(map.images) > 0 && !markers.empty()) {
     PinnedMap loose = pinned(start_, {});
-    if (loose.folds < map.folds) {
+    if (free_folds(loose.images) < free_folds(map.images)) {
       map = std::move(loose);
       crossing.markers_held = false;
     }
@@ -224,6 +235,7 @@ PartToHull::Result PartToHull::run() const {
   for (const Vec3& image : map.images) result.images.push_back(target_centre_ + image);
   const HullFolds folds = hull_folds(result.images, facets, target_centre_);
   crossing.folds = folds.count();
+  crossing.locked_folds = crossing.folds - free_folds(map.images);
   crossing.degree = folds.degree;
   crossing.distortion = crossing.folds == 0 ? map.distortion : 0;
   return result;

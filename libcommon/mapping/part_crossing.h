@@ -36,6 +36,7 @@ class PartToHull {
   void align(const Eigen::Matrix3d& upright);
   std::vector<Pin> marker_pins() const;
   Vec3 marker_image(const LocalMarker& marker, const Points& images) const;
+  int free_folds(const Points& images) const;
   bool is_in_place(const std::vector<Pin>& markers) const;
   PinnedMap pinned(const Points& start, const std::vector<Pin>& pins) const;
 

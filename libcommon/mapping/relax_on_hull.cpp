@@ -1,5 +1,6 @@
 #include "mapping/relax_on_hull.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -21,6 +22,14 @@ using LocalGradient = Eigen::Matrix<double, 6, 1>;
 
 /// Replaces negative curvature by positive, so that the Newton step is a descent.
 void make_positive(LocalHessian& hessian) {
+  // Most blocks are positive already, up to the zero curvature of moving a facet as a whole: a Cholesky
+  // factorisation says so at a tenth of the cost of eigenvalues.
+  const LocalHessian lifted =
+      hessian + 1e-9 * hessian.diagonal().cwiseAbs().maxCoeff() * LocalHessian::Identity();
+  if (lifted.llt().info() == Eigen::Success) {
+    hessian = lifted;
+    return;
+  }
   Eigen::SelfAdjointEigenSolver<LocalHessian> eigen(hessian);
   if (eigen.eigenvalues()[0] > 0) return;
   const LocalGradient values = eigen.eigenvalues().cwiseMax(1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff());

@@ -18,6 +18,13 @@ void use_one_blas_thread() {
   }
 }
 
+/// The same for CHOLMOD's own loops, which OpenMP counts per thread: to be called before each use.
+void use_one_openmp_thread() {
+  using SetThreads = void (*)(int);
+  static const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "omp_set_num_threads"));
+  if (set_threads != nullptr) set_threads(1);
+}
+
 /// METIS, which CHOLMOD tries on large matrices, draws from the C library's one random sequence: started anew
 /// for each matrix, but mixed up when two threads draw at a time. Guards that sequence.
 std::mutex& ordering_mutex() {
@@ -42,6 +49,7 @@ SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 bool SparseCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
+  use_one_openmp_thread();
   if (!factor_->analysed) {
     factor_->cholmod.cholmod().print = 0;  // failure is reported by the return value
     const std::lock_guard<std::mutex> lock(ordering_mutex());
@@ -53,6 +61,7 @@ bool SparseCholesky::factorize(const Eigen::SparseMatrix<double>& lower) {
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right_hand_sides) const {
+  use_one_openmp_thread();
   return factor_->cholmod.solve(right_hand_sides);
 }
 
