@@ -21,9 +21,9 @@ SurfacePoint on_target(const TriMesh& target, const BoundaryPlacement& place) {
   const HalfEdges& half_edges = target.half_edges();
   const bool known = std::min(place.target_a, place.target_b) >= 0 &&
                      std::max(place.target_a, place.target_b) < target.vertex_count();
-  const auto edge = known ? half_edges.find_halfedge(OpenMesh::VertexHandle(place.target_a),
-                                                     OpenMesh::VertexHandle(place.target_b))
-                          : HalfEdges::InvalidHalfedgeHandle;
+  const OpenMesh::VertexHandle a(place.target_a), b(place.target_b);
+  auto edge = HalfEdges::InvalidHalfedgeHandle;
+  if (known) edge = a == b ? half_edges.halfedge_handle(a) : half_edges.find_halfedge(a, b);
   if (!edge.is_valid() || !(place.fraction >= 0 && place.fraction <= 1)) {
     throw InputError("source vertex " + std::to_string(place.source_vertex) + " is placed at " +
                      std::to_string(place.fraction) + " between target vertices " +
@@ -35,8 +35,8 @@ SurfacePoint on_target(const TriMesh& target, const BoundaryPlacement& place) {
   const int facet = here.is_valid() ? here.idx() : beside.idx();
   SurfacePoint point{facet, Vec3::Zero()};
   for (int i = 0; i < 3; ++i) {
-    if (target.facet(facet)[i] == place.target_a) point.barycentric[i] = 1 - place.fraction;
-    if (target.facet(facet)[i] == place.target_b) point.barycentric[i] = place.fraction;
+    if (target.facet(facet)[i] == place.target_a) point.barycentric[i] += 1 - place.fraction;
+    if (target.facet(facet)[i] == place.target_b) point.barycentric[i] += place.fraction;
   }
   return point;
 }
