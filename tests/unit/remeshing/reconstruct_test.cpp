@@ -115,8 +115,16 @@ TEST(Reconstruct, HitsMarkersThatHullToHullPutInPlace) {
 TEST(Reconstruct, RefusesAPlacementOffTheTargetsEdges) {
   const SegmentedModel model = tests::halves(tests::cube(4));
   CrossMap map = tests::projected_pair(model, model);
-  map.boundary.front().target_b = map.boundary.front().target_a;
+  const BoundaryPlacement good = map.boundary.front();
+  int far = 0;
+  while (model.mesh.point(far).z() < 1) ++far;
+  map.boundary.front().target_b = far;
   EXPECT_THROW(reconstruct(map), InputError);
+  map.boundary.front() = good;
+  map.boundary.front().fraction = 1.5;
+  EXPECT_THROW(reconstruct(map), InputError);
+  map.boundary.front() = {good.source_vertex, good.target_a, good.target_a, 0};
+  EXPECT_NO_THROW(reconstruct(map));
 }
 
 }  // namespace
