@@ -1,6 +1,7 @@
 #include "mapping/map_by_energy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "energy/convex_approximation.h"
@@ -8,8 +9,10 @@
 #include "energy/laplacian.h"
 #include "geometry/normals.h"
 #include "geometry/surface_index.h"
+#include "mapping/repair_folds.h"
 #include "mapping/star_hull.h"
 #include "mapping/untangle_on_hull.h"
+#include "measure/hull_folds.h"
 #include "solve/least_squares.h"
 
 namespace partwise {
@@ -146,6 +149,40 @@ Points minimise_energy(const Part& part, const ConvexHull& hull, const HullTarge
   return points;
 }
 
+/// Positions relative to the hull's centre, one per vertex, on the hull.
+struct Projected {
+  Points images;
+  HullFolds folds;
+};
+
+Projected project(const Points& directions, const Facets& facets, const StarHull& hull) {
+  Projected result;
+  StarHull::Place place;
+  for (const Vec3& direction : directions) {
+    place = hull.project(direction, place.facet);
+    result.images.push_back(place.position);
+  }
+  result.folds = hull_folds(result.images, facets, Vec3::Zero());
+  return result;
+}
+
+/// First by means of neighbours, then by untangling the rest; the latter can wind the map around the hull
+/// once more, in which case its result is worse than the folds it undoes.
+Projected repaired(const Part& part, const Projected& map, const StarHull& hull) {
+  if (map.folds.folded.empty()) return map;
+  const Facets& facets = part.mesh.facets();
+  const VertexWeights weights = mean_value_weights(part.mesh.points(), facets);
+  Projected local = project(repair_folds(facets, weights, map.images), facets, hull);
+  if (local.folds.folded.empty()) return local;
+  const std::vector<bool> none_fixed(map.images.size(), false);
+  Projected untangled =
+      project(untangle_on_hull(part.mesh, hull, local.images, none_fixed).images, facets, hull);
+  const auto surplus = [](const Projected& p) { return std::abs(p.folds.degree - 1); };
+  const bool better =
+      untangled.folds.count() < local.folds.count() && surplus(untangled) < surplus(local) + 0.5;
+  return better ? untangled : local;
+}
+
 }  // namespace
 
 EnergyMap map_by_energy(const Part& part, const ConvexHull& hull, const EnergyMapOptions& options) {
@@ -158,12 +195,13 @@ EnergyMap map_by_energy(const Part& part, const ConvexHull& hull, const EnergyMa
     p -= centre;
     if (p.isZero(0)) p = Vec3::UnitX();  // the centre itself has no direction; any place will do
   }
-  UntangledMap untangled =
-      untangle_on_hull(part.mesh, StarHull(hull, centre), points, std::vector<bool>(points.size(), false));
-  result.folds_before = untangled.folds_before;
-  result.folds_after = untangled.folds_after;
-  for (Vec3& image : untangled.images) image += centre;
-  result.images = std::move(untangled.images);
+  const StarHull star(hull, centre);
+  const Projected before = project(points, part.mesh.facets(), star);
+  Projected after = repaired(part, before, star);
+  result.folds_before = before.folds.count();
+  result.folds_after = after.folds.count();
+  for (Vec3& image : after.images) image += centre;
+  result.images = std::move(after.images);
   return result;
 }
 
