@@ -44,6 +44,7 @@ void add_distances(const Measurement& m, Figures& figures) {
   figures.set("distances", {{"compatible_to_target", one_sided(m.distance.forward, l)},
                             {"target_to_compatible", one_sided(m.distance.backward, l)}});
   figures.set("on_surface_max", m.distance.forward.max_at_vertices / l);
+  figures.set("map_gap_max", m.map_gap / l);
 }
 
 void add_facets(const Measurement& m, Figures& figures) {

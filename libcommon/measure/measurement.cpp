@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "error.h"
@@ -32,6 +33,15 @@ bool has_area(const Points& points, const Facets& facets) {
   return std::accumulate(areas.begin(), areas.end(), 0.0) > 0;
 }
 
+double largest_map_gap(const CompatibleMesh& mesh) {
+  const Points images = mesh.map.positions(mesh.target);
+  double largest = 0;
+  for (std::size_t v = 0; v < images.size(); ++v) {
+    largest = std::max(largest, (mesh.points[v] - images[v]).norm());
+  }
+  return largest;
+}
+
 std::vector<MarkerError> named_marker_errors(const CompatibleMesh& mesh, double diagonal) {
   const std::vector<double> errors =
       marker_errors(mesh.markers, mesh.source.facets(), mesh.points, mesh.target);
@@ -56,6 +66,7 @@ Measurement measure(const CompatibleMesh& mesh, const SurfaceDistanceOptions& op
   result.target_facets = mesh.target.facet_count();
   result.parts = static_cast<int>(mesh.part_names.size());
   result.distance = surface_distance(mesh.source.with_points(mesh.points), mesh.target, options);
+  result.map_gap = largest_map_gap(mesh);
   result.flipped_facets = static_cast<int>(flipped_facets(mesh.points, facets, mesh.map, mesh.target).size());
   result.self_intersections = count_self_intersections(mesh);
   result.degenerate_facets = static_cast<int>(degenerate_facets(mesh.points, facets).size());

@@ -32,6 +32,7 @@ struct Measurement {
   int parts = 0;
   double target_diagonal = 0;
   SurfaceDistance distance;  ///< forward from the compatible mesh to the target
+  double map_gap = 0;        ///< largest distance of a vertex to its image under the map
   int flipped_facets = 0;
   SelfIntersectionCounts self_intersections;
   int degenerate_facets = 0;

@@ -54,6 +54,7 @@ TEST(Measurement, MarkerErrorsAreOverTheTargetsDiagonal) {
   const Measurement result =
       measure(onto_itself(grid, [](const Vec3& p) -> Vec3 { return p + Vec3(0, 0, 0.5); }), {.samples = 100});
   EXPECT_NEAR(result.marker_errors[0].error, 0.5 / std::sqrt(8.0), 1e-14);
+  EXPECT_NEAR(result.map_gap, 0.5, 1e-14);
   EXPECT_NEAR(result.distance.forward.max_at_vertices / result.target_diagonal, 0.5 / std::sqrt(8.0), 1e-14);
 }
 
