@@ -42,4 +42,10 @@ class IoError : public Error {
   int exit_code() const override { return 4; }
 };
 
+/// The reader of our output has ended: nobody is left to be told.
+class BrokenPipe : public IoError {
+ public:
+  using IoError::IoError;
+};
+
 }  // namespace partwise

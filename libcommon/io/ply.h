@@ -60,6 +60,9 @@ PlyTables read_ply(std::istream& in);
 /// element and property when the tables are not consistent or a name cannot be written.
 void write_ply(std::ostream& out, const PlyTables& tables);
 
+/// The same with other comments than the tables'.
+void write_ply(std::ostream& out, const PlyTables& tables, const std::vector<std::string>& comments);
+
 /// A scalar column converted to T. \throws InputError when the element or column is missing, a list, or does
 /// not fit into T without loss (float64 -> int only for whole numbers).
 template <class T>

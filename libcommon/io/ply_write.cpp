@@ -66,8 +66,8 @@ void check_column(const Element& element, const Property& property) {
   }
 }
 
-void check_tables(const PlyTables& tables) {
-  for (const std::string& comment : tables.comments) {
+void check_tables(const PlyTables& tables, const std::vector<std::string>& comments) {
+  for (const std::string& comment : comments) {
     if (comment.find_first_of("\r\n") != std::string::npos) {
       throw std::invalid_argument("a PLY comment must be one line");
     }
@@ -81,9 +81,9 @@ void check_tables(const PlyTables& tables) {
   }
 }
 
-std::string header_text(const PlyTables& tables) {
+std::string header_text(const PlyTables& tables, const std::vector<std::string>& comments) {
   std::string text = "ply\nformat binary_little_endian 1.0\n";
-  for (const std::string& comment : tables.comments) text += "comment " + comment + "\n";
+  for (const std::string& comment : comments) text += "comment " + comment + "\n";
   for (const Element& element : tables.elements) {
     text += "element " + element.name + " " + std::to_string(element.size) + "\n";
     for (const Property& property : element.properties) {
@@ -156,8 +156,12 @@ void put_row(Output& out, const Property& property, std::size_t row) {
 }  // namespace
 
 void write_ply(std::ostream& out, const PlyTables& tables) {
-  check_tables(tables);
-  const std::string header = header_text(tables);
+  write_ply(out, tables, tables.comments);
+}
+
+void write_ply(std::ostream& out, const PlyTables& tables, const std::vector<std::string>& comments) {
+  check_tables(tables, comments);
+  const std::string header = header_text(tables, comments);
   Output output(out);
   output.put(header.data(), header.size());
   for (const Element& element : tables.elements) {
