@@ -1,6 +1,7 @@
 #include "report/panel.h"
 
-#include "geometry/normals.h"
+#include "geometry/convex_hull.h"
+#include "measure/hull_folds.h"
 #include "report/palette.h"
 
 namespace partwise::report {
@@ -28,24 +29,6 @@ void append(Panel& panel, const Points& points, const Facets& facets, const std:
   panel.colors.insert(panel.colors.end(), colors.begin(), colors.end());
 }
 
-Vec3 centre_of(const ConvexHull& hull) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& p : hull.points) {
-    sum += p;
-  }
-  return sum / static_cast<double>(hull.points.size());
-}
-
-// Facets that are not counterclockwise as seen from outside, from `centre` as the origin.
-Facets folded_facets(const Facets& facets, const Points& images, const Vec3& centre) {
-  Facets folded;
-  for (const Facet& f : facets) {
-    const Vec3& a = images[f[0]];
-    if (!((a - centre).dot(area_vector(a, images[f[1]], images[f[2]])) > 0)) folded.push_back(f);
-  }
-  return folded;
-}
-
 // The images of one part on `hull`; folded facets once more in red, lifted. Returns how many are folded.
 int append_images(Panel& panel, const Part& part, const Points& images, const ConvexHull& hull,
                   const std::vector<int>& band, const Color& color) {
@@ -54,12 +37,15 @@ int append_images(Panel& panel, const Part& part, const Points& images, const Co
     colors.push_back(f < 0 ? lighten(color, kLighterCap) : banded(color, band[f]));
   }
   append(panel, images, part.mesh.facets(), colors);
-  const Vec3 centre = centre_of(hull);
+  const Vec3 centre = hull_centre(hull);
   Points lifted = images;
   for (Vec3& p : lifted) {
     p = centre + kLift * (p - centre);
   }
-  const Facets folded = folded_facets(part.mesh.facets(), images, centre);
+  Facets folded;
+  for (const int f : hull_folds(images, part.mesh.facets(), centre).folded) {
+    folded.push_back(part.mesh.facet(f));
+  }
   append(panel, lifted, folded, std::vector<Color>(folded.size(), kFolded));
   return static_cast<int>(folded.size());
 }
