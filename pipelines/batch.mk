@@ -40,15 +40,19 @@ measures := $(foreach pair,$(pairs),$(call folder_of,$(pair))/measure.json)
 
 .PHONY: table results
 table:
-	@status=0; \
+	@status=0; done='$(measures)'; failed=; \
 	$(MAKE) --no-print-directory --keep-going -f $(batch_makefile) results || status=$$?; \
-	'$(PARTWISE_BIN)/measure' --summary $(measures) || status=$$?; \
 	if [ $$status != 0 ]; then \
+	  done=; \
 	  for measure in $(measures); do \
-	    $(MAKE) --no-print-directory -q -f $(batch_makefile) $$measure >/dev/null 2>&1 || \
-	      echo "failed: $$(basename $$(dirname $$measure)) (its message is above)" >&2; \
+	    if $(MAKE) --no-print-directory -q -f $(batch_makefile) $$measure >/dev/null 2>&1; \
+	    then done="$$done $$measure"; \
+	    else failed="$$failed $$(basename $$(dirname $$measure))"; \
+	    fi; \
 	  done; \
 	fi; \
+	[ -z "$$done" ] || '$(PARTWISE_BIN)/measure' --summary $$done || status=$$?; \
+	for pair in $$failed; do echo "failed: $$pair (its message is above)" >&2; done; \
 	exit $$status
 results: $(measures)
 

@@ -1,0 +1,34 @@
+# Several pairs over shared models, real tools.
+load pipelines.bash
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  mkdir models
+  sphere 10 20 1 1 1 >models/ball.off
+  sphere 12 16 1 1.5 2 >models/egg.off
+}
+
+batch() {
+  make -f "$pipelines/batch.mk" MODELS=models OUT=out "$@"
+}
+
+@test "two meshes without parts, both ways" {
+  run batch PAIRS=all -j2
+  echo "$output"
+  [ "$status" = 0 ]
+  check_result out/ball-egg 360 352
+  check_result out/egg-ball 352 360
+  [[ "$output" = *ball*egg* ]]
+  batch -q results PAIRS=all
+}
+
+@test "one failing pair does not stop the others and stands in the table" {
+  printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n' >models/broken.off
+  run batch PAIRS="ball:egg ball:broken" -j2
+  echo "$output"
+  [ "$status" -ne 0 ]
+  [[ "$output" = *"models/broken.off"* ]]
+  [[ "$output" = *"failed: ball-broken"* ]]
+  check_result out/ball-egg 360 352
+  [ ! -e out/ball-broken/measure.json ]
+}

@@ -1,0 +1,75 @@
+#include "cli/command.h"
+#include "error.h"
+#include "io/pending_file.h"
+#include "io/stage_documents.h"
+#include "report/pov_scene.h"
+
+using namespace partwise;
+
+namespace {
+
+const std::string kMeshPrefix = "mesh=";
+
+report::Panel panel_of(const io::Document& document, bool plain) {
+  const std::string kind = document.kind();
+  if (plain || kind == "mesh") return report::mesh_panel(io::read_mesh(document));
+  if (kind == "segment") return report::parts_panel(io::read_segmented_model(document));
+  if (kind == "hull") return report::hulls_panel(io::read_hulled_model(document));
+  if (kind == "hullmap") return report::hull_map_panel(io::read_hull_map(document));
+  if (kind == "crossmap") return report::cross_map_panel(io::read_cross_map(document));
+  return report::compatible_panel(io::read_compatible_mesh(document));
+}
+
+// Of `values`, the one for panel `i`: one for each panel, one for all, or none.
+std::string for_panel(const std::vector<std::string>& values, std::size_t i, std::size_t panels,
+                      const std::string& option) {
+  if (values.empty()) return "auto";
+  if (values.size() != 1 && values.size() != panels) {
+    throw UsageError(option + ": give it once, or once for each of the " + std::to_string(panels) +
+                     " panels");
+  }
+  return values.size() == 1 ? values[0] : values[i];
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Command command("picture", "Draw documents side by side, as a scene for POV-Ray.",
+                       "picture cat.segment.ply cat.hullmap.ply -o cat.pov");
+  std::vector<std::string> files;
+  std::vector<std::string> views;
+  std::vector<std::string> captions;
+  report::SceneOptions options;
+  CLI::App& app = command.options();
+  app.add_option("document", files, "Documents of any kind; mesh=FILE shows the bare mesh of FILE")
+      ->required();
+  app.add_option(
+      "--view", views,
+      "Where to look from, for all panels or once for each: x,y,z,x,y,z, the direction to the eye and "
+      "the upward direction, or auto");
+  app.add_option("--caption", captions, "Caption, once for each panel; auto says what is shown");
+  app.add_option("--columns", options.columns, "Panels side by side")->check(CLI::PositiveNumber);
+  app.add_option("--width", options.width, "Width of the picture in pixels")->check(CLI::PositiveNumber);
+  const std::string& output = command.output_file("Where to write the scene, X.pov; - is standard output");
+  return command.run(argc, argv, [&] {
+    std::vector<report::Panel> panels;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const bool plain = files[i].starts_with(kMeshPrefix);
+      const std::string file = plain ? files[i].substr(kMeshPrefix.size()) : files[i];
+      const io::Document document = command.read(file, {});
+      report::Panel panel = command.about(file, [&] { return panel_of(document, plain); });
+      const std::string view = for_panel(views, i, files.size(), "--view");
+      if (view != "auto") panel.view = report::parse_view(view);
+      const std::string caption = for_panel(captions, i, files.size(), "--caption");
+      if (caption != "auto") panel.caption = caption;
+      panels.push_back(std::move(panel));
+    }
+    const std::string scene = report::pov_scene(panels, options);
+    const auto write = [&](std::ostream& out) { out << scene; };
+    if (output == "-") {
+      io::write_through(output, write);
+    } else {
+      io::write_file(output, command.force(), write);
+    }
+  });
+}
