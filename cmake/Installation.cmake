@@ -2,6 +2,8 @@
 set(tools_folder ${CMAKE_INSTALL_LIBEXECDIR}/partwise)
 set(share_folder ${CMAKE_INSTALL_DATADIR}/partwise)
 
+include(cmake/ManPages.cmake)
+
 # Every executable that tools/ builds.
 function(partwise_collect_executables folder result)
   get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
@@ -23,6 +25,7 @@ endfunction()
 partwise_collect_executables(${PROJECT_SOURCE_DIR}/tools tools)
 if(tools)
   install(TARGETS ${tools} RUNTIME DESTINATION ${tools_folder})
+  partwise_install_man_pages(${tools})
 endif()
 
 # The command finds the rest from where it lies itself, so an installation may be moved as a whole.

@@ -1,8 +1,7 @@
-# Man pages partwise-TOOL.1, made from what the tools say with --help.
-# man_pages(TARGET...) adds their making to the build when help2man is there.
+# Man pages partwise-TOOL.1, made at installation from what the tools say with --help.
 find_program(HELP2MAN_PROGRAM help2man)
 
-function(man_pages)
+function(partwise_install_man_pages)
   if(NOT HELP2MAN_PROGRAM)
     message(STATUS "No help2man: man pages are left out")
     return()
@@ -16,6 +15,8 @@ function(man_pages)
       VERBATIM)
     list(APPEND pages ${page})
   endforeach()
-  add_custom_target(man_pages ALL DEPENDS ${pages})
+  add_custom_target(man_pages DEPENDS ${pages})
+  install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${PROJECT_BINARY_DIR}\" --target man_pages
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)")
   install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endfunction()
