@@ -112,6 +112,18 @@ TEST(SurfaceIndex, ScalesWithTheModel) {
   }
 }
 
+TEST(SurfaceIndex, ClosestPointOfASliverIsRight) {
+  // A needle of height 1e-9: its normal is mostly rounding when it lies askew.
+  const Vec3 along = Vec3(1, 2, 3).normalized(), across = along.unitOrthogonal();
+  const Points points{Vec3::Zero(), along, 0.4 * along + 1e-9 * across};
+  const SurfaceIndex index(points, {{0, 1, 2}});
+  for (const double at : {0.1, 0.5, 0.9}) {
+    const SurfaceHit hit = index.closest(at * along + 0.2 * along.cross(across));
+    EXPECT_NEAR(hit.distance, 0.2, 1e-9);
+    EXPECT_LT((hit.position - at * along).norm(), 2e-9);
+  }
+}
+
 TEST(SurfaceIndex, NeedsAFacet) {
   EXPECT_THROW(SurfaceIndex({{0, 0, 0}}, {}), InputError);
 }
