@@ -13,13 +13,14 @@ namespace {
 /// One round: which target vertices are nearest to which facets, and the moves that bring them nearer.
 class Round {
  public:
-  Round(MeshOnSurface& mesh, double threshold)
+  Round(MeshOnSurface& mesh, const CoverageFitOptions& options)
       : mesh_(mesh),
+        options_(options),
         facet_of_(mesh.target().vertex_count()),
         nearest_to_(mesh.source().facet_count()),
         moved_(mesh.points().size(), false) {
     const SurfaceIndex surface(mesh.points(), mesh.source().facets());
-    const double reach = threshold * mesh.target().diagonal();
+    const double reach = options.threshold * mesh.target().diagonal();
     for (int t = 0; t < mesh.target().vertex_count(); ++t) {
       const SurfaceHit hit = surface.closest(mesh.target().point(t));
       facet_of_[t] = hit.point.facet;
@@ -60,7 +61,7 @@ class Round {
   bool try_move(int vertex, const Vec3& goal) {
     const SurfacePoint old = mesh_.image(vertex);
     const SurfacePoint reached = mesh_.walker().towards(old, goal);
-    if (!mesh_.move_to(vertex, reached)) return false;
+    if (!mesh_.move_to(vertex, reached, options_.least_quality)) return false;
     const double after = local_error(vertex);
     mesh_.place(vertex, old);
     if (after >= local_error(vertex) * (1 - 1e-6)) return false;
@@ -87,6 +88,7 @@ class Round {
   }
 
   MeshOnSurface& mesh_;
+  CoverageFitOptions options_;
   std::vector<int> facet_of_;
   std::vector<std::vector<int>> nearest_to_;
   std::vector<Far> far_;
@@ -98,7 +100,7 @@ class Round {
 int fit_coverage(MeshOnSurface& mesh, const CoverageFitOptions& options) {
   int total = 0;
   for (int i = 0; i < options.rounds; ++i) {
-    const int moves = Round(mesh, options.threshold).run();
+    const int moves = Round(mesh, options).run();
     total += moves;
     if (moves == 0) break;
   }

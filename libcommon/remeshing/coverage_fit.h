@@ -6,15 +6,16 @@ namespace partwise {
 
 struct CoverageFitOptions {
   int rounds = 3;
-  double threshold = 0.0008;  ///< target vertices farther away than this times the target's diagonal pull
+  double threshold = 0.0008;   ///< target vertices farther away than this times the target's diagonal pull
+  double least_quality = 0.3;  ///< no facet gets worse than this by a move; see MeshOnSurface
 };
 
 /// Draws vertices of the compatible mesh onto details of the target that it misses.
 ///
 /// A target vertex far from the compatible mesh pulls a corner of the nearest facet, the nearest one that can
-/// reach it over the target. The corner moves there (else half way) if no facet folds and the sum of squared
-/// distances from all target vertices that were nearest to the facets around it falls. Returns the moves
-/// made.
+/// reach it over the target. The corner moves there (else half way) if no facet gets too flat and the sum of
+/// squared distances from all target vertices that were nearest to the facets around it falls. Returns the
+/// moves made.
 int fit_coverage(MeshOnSurface& mesh, const CoverageFitOptions& options = {});
 
 }  // namespace partwise

@@ -21,23 +21,19 @@ bool has_met(const MeshOnSurface& mesh, const CriticalPair& pair) {
   return distance <= 1e-9 * mesh.target().diagonal();
 }
 
-/// Displacements of all vertices that are smooth and take the paired vertices towards their critical points;
-/// zero at pinned vertices.
-Points smooth_steps(const MeshOnSurface& mesh, const std::vector<CriticalPair>& pairs,
-                    const EnergyTerm& laplacian, double weight) {
-  const int count = mesh.source().vertex_count();
-  std::vector<VertexTarget> fixed, pulls;
-  for (int v = 0; v < count; ++v) {
-    if (mesh.is_pinned(v)) fixed.push_back({v, Vec3::Zero()});
+/// What Eq. (17) asks of the displacements: those of paired vertices, and none of pinned ones.
+std::vector<VertexTarget> wanted_steps(const MeshOnSurface& mesh, const std::vector<CriticalPair>& pairs) {
+  constexpr double firmly = 1e4;
+  std::vector<VertexTarget> wanted;
+  for (int v = 0; v < mesh.source().vertex_count(); ++v) {
+    if (mesh.is_pinned(v)) wanted.push_back({v, Vec3::Zero(), firmly});
   }
   for (const CriticalPair& pair : pairs) {
     if (mesh.is_pinned(pair.vertex)) continue;
-    pulls.push_back({pair.vertex, mesh.target().point(pair.target_vertex) - mesh.points()[pair.vertex]});
+    const Vec3 step = mesh.target().point(pair.target_vertex) - mesh.points()[pair.vertex];
+    wanted.push_back({pair.vertex, step});
   }
-  LeastSquares system(count, fixed);
-  system.add(1, laplacian);
-  system.add(weight, critical_constraint_term(count, pulls));
-  return system.minimise();
+  return wanted;
 }
 
 }  // namespace
@@ -68,6 +64,8 @@ std::vector<CriticalPair> fit_critical_points(MeshOnSurface& mesh, const std::ve
   std::vector<CriticalPair> pairs = pair_critical_points(mesh, critical);
   const EnergyTerm laplacian =
       laplacian_term(mean_value_weights(mesh.source().points(), mesh.source().facets()));
+  const int count = mesh.source().vertex_count();
+  LeastSquares system(count);
   std::size_t met = 0;
   auto pin_met = [&] {
     for (const CriticalPair& pair : pairs) {
@@ -79,10 +77,11 @@ std::vector<CriticalPair> fit_critical_points(MeshOnSurface& mesh, const std::ve
     }
   };
   for (int i = 0; i < options.iterations && met < pairs.size(); ++i) {
-    const Points steps = smooth_steps(mesh, pairs, laplacian, options.weight);
-    for (std::size_t v = 0; v < steps.size(); ++v) {
-      mesh.move_towards(static_cast<int>(v), mesh.points()[v] + steps[v]);
-    }
+    system.clear();
+    system.add(1, laplacian);
+    system.add(options.weight, critical_constraint_term(count, wanted_steps(mesh, pairs)));
+    const Points steps = system.minimise();
+    for (int v = 0; v < count; ++v) mesh.move_towards(v, mesh.points()[v] + steps[v]);
     pin_met();
   }
   for (const CriticalPair& pair : pairs) mesh.unpin(pair.vertex);

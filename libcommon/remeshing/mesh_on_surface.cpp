@@ -70,13 +70,13 @@ void MeshOnSurface::place(int vertex, const SurfacePoint& image) {
   normals_[vertex] = normal_at(image);
 }
 
-bool MeshOnSurface::move_to(int vertex, const SurfacePoint& image) {
+bool MeshOnSurface::move_to(int vertex, const SurfacePoint& image, double least_quality) {
   if (pinned_[vertex]) return false;
   const SurfacePoint old = images_[vertex];
   const RingState before = ring_state(vertex);
   place(vertex, image);
   const RingState after = ring_state(vertex);
-  const bool worse = after.flipped > before.flipped || after.worst < std::min(before.worst, kLeastQuality);
+  const bool worse = after.flipped > before.flipped || after.worst < std::min(before.worst, least_quality);
   if (worse) place(vertex, old);
   return !worse;
 }

@@ -13,6 +13,9 @@ namespace partwise {
 /// the images of the facet's three corners.
 class MeshOnSurface {
  public:
+  /// Facets may become this flat by a move.
+  static constexpr double kLeastQuality = 0.03;
+
   explicit MeshOnSurface(const CompatibleMesh& mesh);
 
   const TriMesh& source() const { return source_; }
@@ -41,14 +44,11 @@ class MeshOnSurface {
   bool move_towards(int vertex, const Vec3& goal, int halvings = 3);
 
   /// Moves `vertex` to `image` unless that makes the facets around it worse: more of them flipped, or the
-  /// worst of them worse than before and below `kLeastQuality`. Returns whether it moved.
-  bool move_to(int vertex, const SurfacePoint& image);
+  /// worst of them worse than before and below `least_quality`. Returns whether it moved.
+  bool move_to(int vertex, const SurfacePoint& image, double least_quality = kLeastQuality);
 
   /// Moves `vertex` unconditionally.
   void place(int vertex, const SurfacePoint& image);
-
-  /// Facets may become this flat by a move.
-  static constexpr double kLeastQuality = 0.03;
 
  private:
   struct RingState {
