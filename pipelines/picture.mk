@@ -25,4 +25,4 @@ $(OUT)/picture.png: $(OUT)/picture.pov
 	@cd '$(OUT)' && rm -f picture.log && mv picture.part.png picture.png
 
 $(OUT)/picture.pov: $(sort $(patsubst mesh=%,%,$(panels))) $(call settings,$(OUT)/.settings/picture,$(views) $(PICTURE_WIDTH))
-	'$(PARTWISE_BIN)/picture' $(panels) --columns 5 --width $(PICTURE_WIDTH) $(addprefix --view ,$(views)) --force -o $@
+	'$(PARTWISE_BIN)/picture' $(panels) --columns 5 --width $(PICTURE_WIDTH) $(addprefix --view=,$(views)) --force -o $@

@@ -44,10 +44,12 @@ int main(int argc, char** argv) {
   app.add_option("document", files, "Documents of any kind; mesh=FILE shows the bare mesh of FILE")
       ->required();
   app.add_option(
-      "--view", views,
-      "Where to look from, for all panels or once for each: x,y,z,x,y,z, the direction to the eye and "
-      "the upward direction, or auto");
-  app.add_option("--caption", captions, "Caption, once for each panel; auto says what is shown");
+         "--view", views,
+         "Where to look from, for all panels or once for each: auto, or x,y,z,x,y,z, the direction to the "
+         "eye and the upward direction")
+      ->allow_extra_args(false);
+  app.add_option("--caption", captions, "Caption, for all panels or once for each; auto says what is shown")
+      ->allow_extra_args(false);
   app.add_option("--columns", options.columns, "Panels side by side")->check(CLI::PositiveNumber);
   app.add_option("--width", options.width, "Width of the picture in pixels")->check(CLI::PositiveNumber);
   const std::string& output = command.output_file("Where to write the scene, X.pov; - is standard output");
