@@ -68,28 +68,42 @@ VertexBending bending_of_rings(const TriMesh& mesh) {
   return bending;
 }
 
+/// Neighbours of all vertices in one array: far quicker to walk than half-edges.
+struct Adjacency {
+  explicit Adjacency(const TriMesh& mesh) : first(1, 0) {
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      for (const VertexHandle w : mesh.half_edges().vv_range(VertexHandle(v))) neighbours.push_back(w.idx());
+      first.push_back(static_cast<int>(neighbours.size()));
+    }
+  }
+  std::vector<int> first;
+  std::vector<int> neighbours;
+};
+
 /// Vertices connected to `centre` within the ball of `radius` around it, by breadth.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(const TriMesh& mesh) : mesh_(mesh), visited_(mesh.vertex_count(), -1) {}
+  Neighbourhood(const Points& points, const Adjacency& adjacency)
+      : points_(points), adjacency_(adjacency), visited_(points.size(), -1) {}
 
   const std::vector<int>& around(int centre, double radius) {
     vertices_.assign(1, centre);
     visited_[centre] = centre;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      for (const VertexHandle v : mesh_.half_edges().vv_range(VertexHandle(vertices_[i]))) {
-        if (visited_[v.idx()] == centre) continue;
-        visited_[v.idx()] = centre;
-        if ((mesh_.point(v.idx()) - mesh_.point(centre)).squaredNorm() <= radius * radius) {
-          vertices_.push_back(v.idx());
-        }
+      const int v = vertices_[i];
+      for (int k = adjacency_.first[v]; k < adjacency_.first[v + 1]; ++k) {
+        const int w = adjacency_.neighbours[k];
+        if (visited_[w] == centre) continue;
+        visited_[w] = centre;
+        if ((points_[w] - points_[centre]).squaredNorm() <= radius * radius) vertices_.push_back(w);
       }
     }
     return vertices_;
   }
 
  private:
-  const TriMesh& mesh_;
+  const Points& points_;
+  const Adjacency& adjacency_;
   std::vector<int> visited_;
   std::vector<int> vertices_;
 };
@@ -97,9 +111,10 @@ class Neighbourhood {
 std::vector<Tensor, Eigen::aligned_allocator<Tensor>> curvature_tensors(const TriMesh& mesh) {
   const VertexBending bending = bending_of_rings(mesh);
   const double radius = kRadius * mesh.diagonal();
+  const Adjacency adjacency(mesh);
   std::vector<Tensor, Eigen::aligned_allocator<Tensor>> result(mesh.vertex_count());
-  tbb::parallel_for(tbb::blocked_range<int>(0, mesh.vertex_count(), 4096), [&](const auto& range) {
-    Neighbourhood neighbourhood(mesh);
+  tbb::parallel_for(tbb::blocked_range<int>(0, mesh.vertex_count(), 16384), [&](const auto& range) {
+    Neighbourhood neighbourhood(mesh.points(), adjacency);
     for (int v = range.begin(); v < range.end(); ++v) {
       Tensor sum = Tensor::Zero();
       double area = 0;

@@ -47,7 +47,24 @@ std::vector<int> raw_labels(const TriMesh& mesh, const Seeds& seeds, int part_co
                             const SegmentationOptions& options) {
   if (options.method == SegmentationMethod::growth) return grow_regions(mesh, seeds);
   const PartProbabilities probabilities = walk_randomly(mesh, seeds, part_count, concavity);
+  if (mesh.facet_count() > options.largest_cut) return most_probable_parts(probabilities);
   return cut_band(mesh, seeds, probabilities, costs, options.band_cut);
+}
+
+RepairedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>& names,
+                            const std::vector<SeedStroke>& strokes, const SegmentationOptions& options) {
+  if (names.size() == 1) {
+    require_one_component(mesh);
+    RepairedLabels whole;
+    whole.labels.assign(mesh.facet_count(), 0);
+    return whole;
+  }
+  const Seeds seeds = collect_seeds(mesh, names, strokes);
+  const std::vector<double> concavity = edge_concavity(mesh);
+  const std::vector<double> costs = boundary_costs(mesh, concavity);
+  const int part_count = static_cast<int>(names.size());
+  return repair_labels(mesh, names, seeds, raw_labels(mesh, seeds, part_count, concavity, costs, options),
+                       costs);
 }
 
 }  // namespace
@@ -56,19 +73,7 @@ SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const Segm
   require_size(mesh, sketch);
   const std::vector<std::string> names = part_names(sketch);
   SurfacePlaces places(mesh, options.snap_limit);
-  const std::vector<SeedStroke> strokes = seed_strokes(sketch, places);
-  RepairedLabels repaired;
-  if (names.size() == 1) {
-    require_one_component(mesh);
-    repaired.labels.assign(mesh.facet_count(), 0);
-  } else {
-    const Seeds seeds = collect_seeds(mesh, names, strokes);
-    const std::vector<double> concavity = edge_concavity(mesh);
-    const std::vector<double> costs = boundary_costs(mesh, concavity);
-    repaired = repair_labels(
-        mesh, names, seeds,
-        raw_labels(mesh, seeds, static_cast<int>(names.size()), concavity, costs, options), costs);
-  }
+  RepairedLabels repaired = label_facets(mesh, names, seed_strokes(sketch, places), options);
   Segmentation segmentation = trace_boundaries(mesh, names, std::move(repaired.labels));
   std::vector<Marker> markers = place_markers(sketch, places);
   std::vector<Anchor> anchors = place_anchors(mesh, segmentation, sketch, places);
@@ -76,6 +81,13 @@ SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const Segm
   std::vector<std::string> warnings = decomposition_hints(segmentation, concavity, options.tau);
   for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
     warnings.push_back(std::move(sentence));
+  }
+  if (options.method == SegmentationMethod::walker && names.size() > 1 &&
+      mesh.facet_count() > options.largest_cut) {
+    warnings.push_back(
+        "boundaries are as the random walks leave them: straightening them is for meshes of at "
+        "most " +
+        std::to_string(options.largest_cut) + " facets");
   }
   return {{mesh, std::move(segmentation), std::move(markers), std::move(anchors), std::move(concavity)},
           std::move(warnings),

@@ -17,6 +17,8 @@ enum class SegmentationMethod {
 struct SegmentationOptions {
   SegmentationMethod method = SegmentationMethod::walker;
   BandCutOptions band_cut;
+  int largest_cut =
+      200'000;  ///< facets of the largest mesh whose boundaries are cut: beyond, it takes minutes
   double snap_limit = 0.05;  ///< how far sketched points may lie from the surface, over the diagonal
   double tau = 0.1;          ///< concavity above which a part should be decomposed further, over the diagonal
 };
@@ -24,7 +26,7 @@ struct SegmentationOptions {
 /// A segmented model, and what making it took.
 struct SegmentedMesh {
   SegmentedModel model;
-  std::vector<std::string> warnings;  ///< decomposition hints and boundaries without anchors, a sentence each
+  std::vector<std::string> warnings;  ///< decomposition hints, boundaries without anchors: a sentence each
   int merged_islands = 0;             ///< surplus components of parts given to a neighbour
   int removed_pinches = 0;            ///< places where a part touched itself at a vertex
   int changed_facets = 0;             ///< by these two
