@@ -60,6 +60,7 @@ void check_metadata(const Document& document) {
   const auto schema = metadata.find("schema");
   if (schema == metadata.end() || !schema->is_string()) throw InputError("the metadata names no schema");
   kind_of_schema(schema->get<std::string>());
+  validate_metadata(metadata);
   if (metadata.value("tables_sha256", Json()) != tables_sha256(document.tables)) {
     throw InputError(
         "the tables of the PLY are not those that its metadata was written for: the file was "

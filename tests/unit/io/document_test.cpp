@@ -175,7 +175,8 @@ TEST_F(Documents, UnknownSchemasSayWhatToDo) {
   EXPECT_NE(fault_of("partwise/ghost-1").find("newer partwise"), std::string::npos);
   EXPECT_NE(fault_of("somebody/else").find("none of partwise"), std::string::npos);
   EXPECT_NE(fault_of(7).find("no schema"), std::string::npos);
-  EXPECT_EQ(fault_of("partwise/hull-1"), "");
+  EXPECT_NE(fault_of("partwise/hull-1").find("'parts'"), std::string::npos);
+  EXPECT_EQ(fault_of("partwise/mesh-1"), "");
 }
 
 TEST_F(Documents, MissingFilesAndFoldersAreIoErrors) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "error.h"
+#include "io/document_kinds.h"
 #include "io/embedded_schemas.h"
 #include "io/stage_documents.h"
 #include "stage_samples.h"
@@ -106,6 +107,15 @@ TEST(SchemaValidation, WhatTheStagesWritePasses) {
   EXPECT_EQ(complaint(to_document(tests::sample_hull_map()).metadata), "");
   EXPECT_EQ(complaint(to_document(tests::sample_cross_map()).metadata), "");
   EXPECT_EQ(complaint(to_document(tests::sample_compatible_mesh()).metadata), "");
+}
+
+TEST(SchemaValidation, MembersOfDocumentsAreKnownFields) {
+  // A stage forwards the fields that it does not know: those of the schemas must not be among them.
+  for (const DocumentKind& kind : document_kinds()) {
+    const Json schema = Json::parse(embedded_schemas().at(kind.name + "-" + std::to_string(kind.major)));
+    for (const auto& [name, value] : schema["properties"].items()) EXPECT_TRUE(is_known_field(name)) << name;
+  }
+  EXPECT_FALSE(is_known_field("laboratory"));
 }
 
 TEST(SchemaValidation, UnknownMembersOfDocumentsAreAllowed) {
