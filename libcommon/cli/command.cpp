@@ -164,12 +164,16 @@ io::Json Command::arguments() const {
   return given_arguments(app_);
 }
 
+io::HistoryEntry Command::history_entry() const {
+  return {name_, arguments(), further_inputs_};
+}
+
 void Command::write(io::Document document, const std::vector<const io::Document*>& inputs,
                     const io::Json& metrics) {
   io::Json own = metrics.is_null() ? io::Json::object() : metrics;
   own.update(profile());
   forward_metadata(document.metadata, inputs, name_, own);
-  document.metadata["history"] = io::extend_history(inputs, {name_, arguments(), further_inputs_});
+  document.metadata["history"] = io::extend_history(inputs, history_entry());
   io::write_document(output_, document, force_);
 }
 

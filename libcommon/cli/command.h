@@ -74,6 +74,9 @@ class Command {
   /// Notes an input that is no document, for the history.
   void note_input(const std::string& sha256, const std::string& schema);
 
+  /// What this run adds to the history of what it makes; for tools whose output is no io::Document.
+  io::HistoryEntry history_entry() const;
+
   /// Adds unknown metadata forwarded from the inputs, metrics under the tool's name, history; writes to the
   /// output. Of two inputs the first is the source, the second the target.
   void write(io::Document document, const std::vector<const io::Document*>& inputs,
