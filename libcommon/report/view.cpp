@@ -10,9 +10,10 @@ namespace partwise::report {
 
 namespace {
 
-constexpr double kSlice = 0.04;      // of the extent: what counts as touching the ground
-constexpr double kTurn = 0.45;       // radians to the side
-constexpr double kElevation = 0.22;  // radians from above
+constexpr std::array kSlices = {0.02, 0.04, 0.08};  // of the extent: what counts as touching the ground
+constexpr double kUsualUp = 1.5;                    // how much likelier y is up than another direction
+constexpr double kTurn = 0.45;                      // radians to the side
+constexpr double kElevation = 0.22;                 // radians from above
 
 struct Box {
   Vec3 low;
@@ -34,9 +35,9 @@ Box bounding_box(const Points& points) {
 }
 
 // How widely the model spreads over the ground when `sign` times `axis` points up: 0 ... 1.
-double footprint(const Points& points, const Box& box, int axis, double sign) {
+double footprint(const Points& points, const Box& box, int axis, double sign, double thickness) {
   const double ground = sign > 0 ? box.low[axis] : box.high[axis];
-  const double reach = kSlice * box.extent()[axis];
+  const double reach = thickness * box.extent()[axis];
   const int a = (axis + 1) % 3;
   const int b = (axis + 2) % 3;
   Box slice(Vec3::Zero());
@@ -90,7 +91,11 @@ View automatic_view(const Points& points) {
   double widest = -1;
   for (const int axis : {(side + 1) % 3, (side + 2) % 3}) {
     for (const double sign : {1.0, -1.0}) {
-      const double spread = footprint(points, box, axis, sign);
+      double spread = 0;
+      for (const double thickness : kSlices) {
+        spread += footprint(points, box, axis, sign, thickness);
+      }
+      if (axis == 1 && sign > 0) spread *= kUsualUp;
       if (spread <= widest) continue;
       widest = spread;
       best_axis = axis;

@@ -25,8 +25,8 @@ View parse_view(const std::string& text);
 
 /// A side view of a standing body, turned a little: along the axis of its smallest extent, on its feet.
 ///
-/// A guess: up is the direction opposite to which the outermost slice spreads widest, as feet do.
-/// \pre points is not empty
+/// A guess: up is the direction opposite to which the outermost slices spread widest, as feet do; y when in
+/// doubt. \pre points is not empty
 View automatic_view(const Points& points);
 
 }  // namespace partwise::report
