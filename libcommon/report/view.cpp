@@ -1,6 +1,7 @@
 #include "report/view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
