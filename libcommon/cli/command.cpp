@@ -79,8 +79,7 @@ int Command::parse(int argc, char** argv) {
   }
 }
 
-void Command::check_terminals() const {
-  if (!writes_document_) return;
+void Command::require_document_output() const {
   if (output_ == "-" && ::isatty(STDOUT_FILENO)) {
     throw UsageError("a document is binary and nothing for a terminal: give -o X.ply, or a pipe");
   }
@@ -92,7 +91,7 @@ int Command::run(int argc, char** argv, const std::function<void()>& body) {
   try {
     const int outcome = parse(argc, argv);
     if (outcome != 0) return outcome < 0 ? 0 : outcome;
-    check_terminals();
+    if (writes_document_) require_document_output();
     body();
     return 0;
   } catch (const BrokenPipe&) {
@@ -154,6 +153,16 @@ std::string Command::read_text(const std::string& path, const std::string& schem
   if (in.bad()) throw IoError(path + ": cannot be read");
   note_input(io::sha256(text), schema);
   return text;
+}
+
+io::ImportedMesh Command::import_mesh(const std::string& path) {
+  io::ImportedMesh mesh = io::import_mesh(path);
+  files_read_.push_back(path);
+  std::ifstream file(path, std::ios::binary);
+  io::Sha256 hash;
+  std::ostream(&hash) << file.rdbuf();
+  note_input(hash.hex(), path.substr(path.rfind('.') + 1));
+  return mesh;
 }
 
 void Command::note_input(const std::string& sha256, const std::string& schema) {

@@ -10,6 +10,7 @@
 
 #include "error.h"
 #include "io/document.h"
+#include "io/mesh_files.h"
 
 namespace partwise::cli {
 
@@ -50,6 +51,9 @@ class Command {
   const std::string& output_file(const std::string& description);
   bool force() const { return force_; }
 
+  /// What `run` checks before `body` for a command that declared `output()`. \throws UsageError, IoError
+  void require_document_output() const;
+
   /// Parses, runs `body`, turns exceptions into a message on stderr and an exit code: 0 done, 1 computation
   /// failed, 2 usage, 3 input, 4 reading or writing.
   int run(int argc, char** argv, const std::function<void()>& body);
@@ -70,6 +74,9 @@ class Command {
 
   /// Reads a text file (a sketch) whole and notes it as an input for the history. "-" is standard input.
   std::string read_text(const std::string& path, const std::string& schema);
+
+  /// Imports a mesh of another program (io::import_mesh) and notes it as an input for the history.
+  io::ImportedMesh import_mesh(const std::string& path);
 
   /// Notes an input that is no document, for the history.
   void note_input(const std::string& sha256, const std::string& schema);
@@ -96,7 +103,6 @@ class Command {
 
  private:
   int parse(int argc, char** argv);
-  void check_terminals() const;
   void claim_standard_input(const std::string& path);
   io::Json arguments() const;
   std::string in_file(const std::string& path, const std::string& message) const;
