@@ -59,20 +59,29 @@ struct DirectedEdge {
   bool forward;  // from the smaller vertex to the larger
 };
 
-std::vector<DirectedEdge> sorted_edges(const Facets& facets) {
-  std::vector<DirectedEdge> edges;
-  edges.reserve(facets.size() * 3);
+/// Edges by smaller vertex (counting sort), then larger vertex, then facet. \pre indices in range
+std::vector<DirectedEdge> sorted_edges(std::size_t vertex_count, const Facets& facets) {
+  std::vector<std::size_t> begin(vertex_count + 1, 0);
+  for (const Facet& facet : facets) {
+    for (int i = 0; i < 3; ++i) ++begin[std::min(facet[i], facet[(i + 1) % 3]) + 1];
+  }
+  for (std::size_t v = 0; v < vertex_count; ++v) begin[v + 1] += begin[v];
+  std::vector<DirectedEdge> edges(facets.size() * 3);
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (std::size_t f = 0; f < facets.size(); ++f) {
     for (int i = 0; i < 3; ++i) {
       const auto u = static_cast<std::uint32_t>(facets[f][i]);
       const auto v = static_cast<std::uint32_t>(facets[f][(i + 1) % 3]);
       const auto [low, high] = std::minmax(u, v);
-      edges.push_back({(std::uint64_t{low} << 32) | high, static_cast<int>(f), u < v});
+      edges[next[low]++] = {(std::uint64_t{low} << 32) | high, static_cast<int>(f), u < v};
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-    return a.undirected != b.undirected ? a.undirected < b.undirected : a.facet < b.facet;
-  });
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    std::sort(edges.begin() + static_cast<long>(begin[v]), edges.begin() + static_cast<long>(begin[v + 1]),
+              [](const DirectedEdge& a, const DirectedEdge& b) {
+                return a.undirected != b.undirected ? a.undirected < b.undirected : a.facet < b.facet;
+              });
+  }
   return edges;
 }
 
@@ -80,9 +89,9 @@ std::string edge_name(std::uint64_t undirected) {
   return "edge (" + std::to_string(undirected >> 32) + ", " + std::to_string(undirected & 0xffffffffU) + ")";
 }
 
-void check_edges(const Facets& facets, std::vector<std::string>& defects) {
+void check_edges(const Facets& facets, const std::vector<DirectedEdge>& edges,
+                 std::vector<std::string>& defects) {
   Tally duplicates, complex, opposite;
-  const std::vector<DirectedEdge> edges = sorted_edges(facets);
   auto sorted_facet = [&](int f) {
     Facet facet = facets[f];
     std::sort(facet.begin(), facet.end());
@@ -118,7 +127,8 @@ void check_edges(const Facets& facets, std::vector<std::string>& defects) {
 }
 
 /// Counts the fans of facets at each vertex by joining facets over shared edges (union-find over corners).
-void check_vertices(std::size_t vertex_count, const Facets& facets, std::vector<std::string>& defects) {
+void check_vertices(std::size_t vertex_count, const Facets& facets, const std::vector<DirectedEdge>& edges,
+                    std::vector<std::string>& defects) {
   std::vector<int> parent(facets.size() * 3);
   for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = static_cast<int>(i);
   auto root = [&](int i) {
@@ -130,7 +140,6 @@ void check_vertices(std::size_t vertex_count, const Facets& facets, std::vector<
     while (static_cast<std::uint32_t>(facets[f][i]) != v) ++i;
     return 3 * f + i;
   };
-  const std::vector<DirectedEdge> edges = sorted_edges(facets);
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     if (edges[i].undirected != edges[i + 1].undirected) continue;
     for (const std::uint64_t v : {edges[i].undirected >> 32, edges[i].undirected & 0xffffffffU}) {
@@ -161,9 +170,10 @@ std::vector<std::string> find_defects(const Points& points, const Facets& facets
   if (facets.empty()) return {"the mesh has no facets: give a triangle mesh"};
   check_values(points, facets, defects);
   if (!defects.empty()) return defects;
-  check_edges(facets, defects);
+  const std::vector<DirectedEdge> edges = sorted_edges(points.size(), facets);
+  check_edges(facets, edges, defects);
   if (!defects.empty()) return defects;
-  check_vertices(points.size(), facets, defects);
+  check_vertices(points.size(), facets, edges, defects);
   return defects;
 }
 
