@@ -1,7 +1,8 @@
-#include <iostream>
+#include <ostream>
 
 #include "cli/command.h"
 #include "io/document_summary.h"
+#include "io/pending_file.h"
 
 using namespace partwise;
 
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
   return command.run(argc, argv, [&] {
     const io::Document document = command.read(input, {});
     if (check) return command.about(input, [&] { io::check_document(document); });
-    std::cout << (json ? document.metadata.dump(2) + "\n" : io::summary(document)) << std::flush;
-    if (!std::cout) throw IoError("standard output cannot be written");
+    const std::string text = json ? document.metadata.dump(2) + "\n" : io::summary(document);
+    io::write_through("-", [&](std::ostream& out) { out << text; });
   });
 }

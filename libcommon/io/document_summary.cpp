@@ -9,7 +9,7 @@
 namespace partwise::io {
 namespace {
 
-constexpr std::size_t kLabelWidth = 14;
+constexpr std::size_t kLabelWidth = 18;
 constexpr std::size_t kLongestValue = 200;
 
 std::string label(const std::string& text) {
@@ -91,7 +91,7 @@ std::string summary(const Document& document) {
   out << label("digest") << digest(document) << "\n";
   out << "elements\n";
   for (const Element& element : document.tables.elements) {
-    out << "  " << label(element.name + " ") << element.size << ":" << columns(element) << "\n";
+    out << "  " << label(element.name) << element.size << ":" << columns(element) << "\n";
   }
   for (const auto& [name, value] : metadata.items()) {
     const bool elsewhere = name == "schema" || name == "tables_sha256" || name == "history";

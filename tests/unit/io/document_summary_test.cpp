@@ -15,10 +15,10 @@ TEST(DocumentSummary, SaysKindElementsFactsAndHistory) {
   document.metadata["history"] = extend_history({&document}, {"segment", {{"--sharpness", 2}}, {}});
   const std::string text = summary(document);
   for (const std::string line :
-       {"kind          segment (partwise/segment-1)\n",
-        "  vertex        66: x y z (double), red green blue (uint8)\n",
-        "  face          128: vertex_indices (lists of int32), part (int32), red green blue (uint8)\n",
-        "markers       2: nose, chin\n", "    iterations    12\n", "  0  segment "}) {
+       {"kind              segment (partwise/segment-1)\n",
+        "  vertex            66: x y z (double), red green blue (uint8)\n",
+        "  face              128: vertex_indices (lists of int32), part (int32), red green blue (uint8)\n",
+        "markers           2: nose, chin\n", "    iterations        12\n", "  0  segment "}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   }
   EXPECT_NE(text.find(" --sharpness 2\n       from partwise/segment-1 "), std::string::npos) << text;
@@ -27,7 +27,7 @@ TEST(DocumentSummary, SaysKindElementsFactsAndHistory) {
 TEST(DocumentSummary, BarePlyIsAMesh) {
   Document document = to_document(tests::sample_segmented_model());
   document.metadata = Json::object();
-  EXPECT_EQ(summary(document).rfind("kind          mesh (bare PLY)\n", 0), 0U);
+  EXPECT_EQ(summary(document).rfind("kind              mesh (bare PLY)\n", 0), 0U);
   EXPECT_NO_THROW(check_document(document));
 }
 
