@@ -39,7 +39,7 @@ Points map_part(const Part& part, const ConvexHull& hull, const MapToHullOptions
     report.distortion = mapped.distortion;
     return std::move(mapped.images);
   } catch (const ComputationError& error) {
-    report.remark = error.what();
+    report.remark = std::string("could not be mapped progressively: ") + error.what();
     return by_energy(part, hull, options.energy, report);
   }
 }

@@ -1,0 +1,108 @@
+#include <cmath>
+
+#include "cli/command.h"
+#include "io/stage_documents.h"
+#include "mapping/map_to_hull.h"
+
+namespace {
+
+using namespace partwise;
+
+/// The options as the user writes them.
+struct Choice {
+  std::string method = "progressive";
+  std::string laplacian = "mean-value";
+  EnergyMapOptions energy;
+
+  MapToHullOptions options() const {
+    MapToHullOptions result{method == "energy" ? HullMapMethod::energy : HullMapMethod::progressive, energy};
+    if (laplacian == "uniform") result.energy.laplacian = LaplacianKind::uniform;
+    return result;
+  }
+};
+
+void declare_options(CLI::App& app, Choice& choice) {
+  app.add_option("--method", choice.method,
+                 "progressive: one-to-one for every part without handles; energy: as in the paper, may fold")
+      ->check(CLI::IsMember({"progressive", "energy"}))
+      ->capture_default_str();
+  app.add_option("--laplacian", choice.laplacian, "energy: how much each neighbour of a vertex counts")
+      ->check(CLI::IsMember({"mean-value", "uniform"}))
+      ->capture_default_str();
+  app.add_option("--global-weight", choice.energy.global_weight,
+                 "energy: w_g, draws hull vertices to their places")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--first-convex-weight", choice.energy.first_convex_weight,
+                 "energy: w_c of the first step, draws the other vertices to the hull")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--last-convex-weight", choice.energy.last_convex_weight, "energy: w_c of the last step")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--steps", choice.energy.steps, "energy: number of steps from the first w_c to the last")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+}
+
+io::Json facts_of(const PartMapReport& report) {
+  const bool by_energy = report.method == HullMapMethod::energy;
+  io::Json facts{{"method", by_energy ? "energy" : "progressive"},
+                 {"facets", report.facets},
+                 {"degree", report.degree},
+                 {"one_to_one", report.one_to_one}};
+  if (by_energy) {
+    facts["folds_before_repair"] = report.folds_before;
+    facts["off_hull_before_projection"] = report.off_hull;
+  } else {
+    facts["distortion"] = report.distortion;
+  }
+  if (!report.remark.empty()) facts["remark"] = report.remark;
+  return facts;
+}
+
+io::Json metrics_of(const MappedToHull& mapped) {
+  io::Json folds = io::Json::object(), parts = io::Json::object();
+  int total = 0;
+  bool one_to_one = true;
+  for (std::size_t k = 0; k < mapped.reports.size(); ++k) {
+    const PartMapReport& report = mapped.reports[k];
+    const std::string& name = mapped.map.hulled.model.segmentation.names[k];
+    folds[name] = report.folds;
+    parts[name] = facts_of(report);
+    total += report.folds;
+    one_to_one = one_to_one && report.one_to_one;
+  }
+  return {{"one_to_one", one_to_one}, {"hull_folds", {{"total", total}, {"parts", folds}}}, {"parts", parts}};
+}
+
+void warn_of_folds(const cli::Command& command, const MappedToHull& mapped) {
+  for (std::size_t k = 0; k < mapped.reports.size(); ++k) {
+    const PartMapReport& report = mapped.reports[k];
+    if (report.one_to_one) continue;
+    std::string text =
+        "part \"" + mapped.map.hulled.model.segmentation.names[k] + "\" is not mapped one-to-one: ";
+    text += std::to_string(report.folds) + " folded facets, covers its hull " +
+            std::to_string(std::lround(report.degree)) + " times";
+    if (!report.remark.empty()) text += "; it " + report.remark;
+    command.warn(text);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Command command("map-to-hull", "Map every part of a model onto its own convex hull.",
+                       "map-to-hull cat.hull.ply -o cat.hullmap.ply");
+  const std::string& input = command.input("model", "Model with hulls, as hull writes it");
+  command.output();
+  Choice choice;
+  declare_options(command.options(), choice);
+  return command.run(argc, argv, [&] {
+    const io::Document document = command.read(input, {"hull"});
+    const MappedToHull mapped =
+        command.about(input, [&] { return map_to_hull(io::read_hulled_model(document), choice.options()); });
+    warn_of_folds(command, mapped);
+    command.write(io::to_document(mapped.map), {&document}, metrics_of(mapped));
+  });
+}
