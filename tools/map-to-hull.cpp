@@ -49,6 +49,7 @@ io::Json facts_of(const PartMapReport& report) {
   const bool by_energy = report.method == HullMapMethod::energy;
   io::Json facts{{"method", by_energy ? "energy" : "progressive"},
                  {"facets", report.facets},
+                 {"folds", report.folds},
                  {"degree", report.degree},
                  {"one_to_one", report.one_to_one}};
   if (by_energy) {
@@ -62,18 +63,16 @@ io::Json facts_of(const PartMapReport& report) {
 }
 
 io::Json metrics_of(const MappedToHull& mapped) {
-  io::Json folds = io::Json::object(), parts = io::Json::object();
-  int total = 0;
+  io::Json parts = io::Json::object();
+  int folds = 0;
   bool one_to_one = true;
   for (std::size_t k = 0; k < mapped.reports.size(); ++k) {
     const PartMapReport& report = mapped.reports[k];
-    const std::string& name = mapped.map.hulled.model.segmentation.names[k];
-    folds[name] = report.folds;
-    parts[name] = facts_of(report);
-    total += report.folds;
+    parts[mapped.map.hulled.model.segmentation.names[k]] = facts_of(report);
+    folds += report.folds;
     one_to_one = one_to_one && report.one_to_one;
   }
-  return {{"one_to_one", one_to_one}, {"hull_folds", {{"total", total}, {"parts", folds}}}, {"parts", parts}};
+  return {{"one_to_one", one_to_one}, {"folds", folds}, {"parts", parts}};
 }
 
 void warn_of_folds(const cli::Command& command, const MappedToHull& mapped) {
