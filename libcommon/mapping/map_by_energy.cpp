@@ -103,10 +103,11 @@ void follow_normals(Points& normals, const Points& points, const Facets& facets)
   const Points current = vertex_normals(points, facets);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vec3 halfway = normals[v] + current[v];
-    if (current[v].dot(normals[v]) >= 0)
+    if (current[v].dot(normals[v]) >= 0) {
       normals[v] = current[v];
-    else if (halfway.norm() > 0.1)
+    } else if (halfway.norm() > 0.1) {
       normals[v] = halfway.normalized();
+    }
   }
 }
 

@@ -36,10 +36,11 @@ struct LeastSquares::System {
     for (Eigen::Index r = 0; r < term.rows.rows(); ++r) {
       for (decltype(term.rows)::InnerIterator entry(term.rows, r); entry; ++entry) {
         const int vertex = static_cast<int>(entry.col());
-        if (unknown[vertex] >= 0)
+        if (unknown[vertex] >= 0) {
           entries.emplace_back(r, unknown[vertex], entry.value());
-        else
+        } else {
           targets.row(r) -= entry.value() * positions[vertex].transpose();
+        }
       }
     }
     Matrix rows(term.rows.rows(), unknown_count);

@@ -18,11 +18,13 @@ void use_one_blas_thread() {
   }
 }
 
-/// The same for CHOLMOD's own loops, which OpenMP counts per thread: to be called before each use.
+/// The same for CHOLMOD's own loops: to be called before each use, for OpenMP keeps the setting per thread.
+/// These loops ask for a number of threads themselves, so only forbidding parallel regions holds them back.
 void use_one_openmp_thread() {
-  using SetThreads = void (*)(int);
-  static const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "omp_set_num_threads"));
-  if (set_threads != nullptr) set_threads(1);
+  using SetLevels = void (*)(int);
+  static const auto set_levels =
+      reinterpret_cast<SetLevels>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+  if (set_levels != nullptr) set_levels(0);
 }
 
 /// METIS, which CHOLMOD tries on large matrices, draws from the C library's one random sequence: started anew
