@@ -22,9 +22,11 @@ Eigen::Matrix3d closest_rotation(const Eigen::Matrix3d& covariance) {
 }
 
 /// Rotation for sum w y x^T; collinear or missing points are completed by the prior's rotation.
-Eigen::Matrix3d completed_rotation(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& prior) {
+Eigen::Matrix3d completed_rotation(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& prior,
+                                   double prior_weight = 0) {
   const Vec3 values = Eigen::JacobiSVD<Eigen::Matrix3d>(covariance).singularValues();
   if (values[0] <= 0) return prior;
+  if (prior_weight > 0) return closest_rotation(covariance + prior_weight * values[0] * prior);
   if (values[1] >= kCollinear * values[0]) return closest_rotation(covariance);
   return closest_rotation(covariance + 2 * kCollinear * values[0] * prior);
 }
@@ -99,10 +101,10 @@ Eigen::Matrix3d fit_linear(const MatchedPoints& matched, const Vec3& source_cent
 }
 
 Eigen::Matrix3d fit_rotation(const MatchedPoints& matched, const Vec3& source_centre,
-                             const Vec3& target_centre, const Eigen::Matrix3d& prior) {
+                             const Vec3& target_centre, const Eigen::Matrix3d& prior, double prior_weight) {
   Moments moments;
   accumulate(moments, matched, source_centre, target_centre);
-  return completed_rotation(moments.covariance, prior);
+  return completed_rotation(moments.covariance, prior, prior_weight);
 }
 
 Eigen::Matrix3d match_extents(const Points& source, const Points& target, const Eigen::Matrix3d& rotation) {

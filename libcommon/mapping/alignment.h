@@ -30,10 +30,11 @@ Eigen::Affine3d fit_similarity(const MatchedPoints& matched, const Eigen::Affine
 Eigen::Matrix3d fit_linear(const MatchedPoints& matched, const Vec3& source_centre, const Vec3& target_centre,
                            const Eigen::Matrix3d& prior, double stiffness);
 
-/// The rotation that brings the source's points, seen from its centre, closest to the target's, and falls
-/// back to `prior` about axes that the points leave open.
+/// The rotation that brings the source's points, seen from its centre, closest to the target's, drawn towards
+/// `prior` by `prior_weight` times the weight of the points; about axes that the points leave open it is the
+/// prior's in any case. \pre prior_weight >= 0
 Eigen::Matrix3d fit_rotation(const MatchedPoints& matched, const Vec3& source_centre,
-                             const Vec3& target_centre, const Eigen::Matrix3d& prior);
+                             const Vec3& target_centre, const Eigen::Matrix3d& prior, double prior_weight);
 
 /// `rotation` followed by a scaling along the target's principal axes that gives the rotated source the
 /// extents of the target there. Both sets of points are given relative to their centres and span space.

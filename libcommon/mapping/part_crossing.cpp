@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <set>
 
-#include "mapping/alignment.h"
+#include "mapping/hull_alignment.h"
 #include "mapping/untangle_on_hull.h"
 #include "measure/hull_folds.h"
 
 namespace partwise {
 namespace {
 
-constexpr double kCapWeight = 0.1;     ///< how much distortion counts in caps, which no one sees
-constexpr double kStiffness = 0.3;     ///< of the alignment towards a rotation with scaled axes
-constexpr double kLeastStretch = 0.2;  ///< an alignment that flattens more than this is not used
+constexpr double kCapWeight = 0.1;  ///< how much distortion counts in caps, which no one sees
 
 Points about(const Points& points, const Vec3& centre) {
   Points result = points;
@@ -111,16 +109,10 @@ void PartToHull::align(const Eigen::Matrix3d& upright) {
     matched.add(own_[pin.vertex], pin.goal, source_.is_cap_vertex(pin.vertex) ? 1 : loop_weight);
   }
   for (const LocalMarker& marker : markers_) {
-    matched.add(marker_image(marker, own_), marker.goal);
+    matched.add(marker_image(marker, own_), hull_.project(marker.goal, 0).position);
   }
-  const Vec3 centre = Vec3::Zero();
-  const Eigen::Matrix3d rotation = fit_rotation(matched, centre, centre, upright);
-  const Eigen::Matrix3d scaled = match_extents(about(source_hull_.points, source_centre_),
-                                               about(target_hull_.points, target_centre_), rotation);
-  linear_ = fit_linear(matched, centre, centre, scaled, kStiffness);
-  const Eigen::Matrix3d change = linear_ * scaled.inverse();
-  const Vec3 stretch = Eigen::JacobiSVD<Eigen::Matrix3d>(change).singularValues();
-  if (change.determinant() <= 0 || stretch[2] < kLeastStretch * stretch[0]) linear_ = scaled;
+  linear_ = align_to_hull(matched, about(source_hull_.points, source_centre_),
+                          about(target_hull_.points, target_centre_), hull_, upright);
   int hint = 0;
   for (const Vec3& point : own_) {
     const StarHull::Place place = hull_.project(linear_ * point, hint);
@@ -237,7 +229,7 @@ PartToHull::Result PartToHull::run() const {
   crossing.folds = folds.count();
   crossing.locked_folds = crossing.folds - free_folds(map.images);
   crossing.degree = folds.degree;
-  crossing.distortion = crossing.folds == 0 ? map.distortion : 0;
+  crossing.distortion = crossing.folds == crossing.locked_folds ? map.distortion : 0;
   return result;
 }
 
