@@ -229,6 +229,9 @@ PartToHull::Result PartToHull::run() const {
   crossing.folds = folds.count();
   crossing.locked_folds = crossing.folds - free_folds(map.images);
   crossing.degree = folds.degree;
+  const int edges = source_.mesh.facet_count() / 2 * 3;
+  const bool is_sphere = source_.mesh.vertex_count() - edges + source_.mesh.facet_count() == 2;
+  crossing.one_to_one = is_sphere && folds.one_to_one();
   crossing.distortion = crossing.folds == crossing.locked_folds ? map.distortion : 0;
   return result;
 }

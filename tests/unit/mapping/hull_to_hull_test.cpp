@@ -42,6 +42,7 @@ void expect_one_to_one(const HullToHull& result) {
     EXPECT_EQ(part.source_folds, 0) << part.name;
     EXPECT_EQ(part.folds, 0) << part.name;
     EXPECT_NEAR(part.degree, 1, 1e-9) << part.name;
+    EXPECT_TRUE(part.one_to_one) << part.name;
   }
 }
 

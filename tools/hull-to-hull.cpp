@@ -1,0 +1,72 @@
+#include <algorithm>
+
+#include "cli/command.h"
+#include "io/stage_documents.h"
+#include "mapping/hull_to_hull.h"
+
+namespace {
+
+using namespace partwise;
+
+io::Json metrics_of(const HullToHull& result) {
+  io::Json parts = io::Json::array(), markers = io::Json::object(), turns = io::Json::array();
+  int folds = 0;
+  bool one_to_one = true;
+  double farthest = 0;
+  for (const PartCrossing& part : result.parts) {
+    parts.push_back({{"name", part.name},
+                     {"source_folds", part.source_folds},
+                     {"folds_before", part.folds_before},
+                     {"folds", part.folds},
+                     {"locked_folds", part.locked_folds},
+                     {"degree", part.degree},
+                     {"one_to_one", part.one_to_one},
+                     {"distortion", part.distortion},
+                     {"markers_held", part.markers_held}});
+    folds += part.folds;
+    one_to_one = one_to_one && part.one_to_one;
+  }
+  for (const MarkerDistance& marker : result.markers) {
+    markers[marker.name] = marker.distance;
+    farthest = std::max(farthest, marker.distance);
+  }
+  const Segmentation& target = result.map.target.hulled.model.segmentation;
+  for (const CurveCorrespondence& curve : result.boundary.curves) {
+    if (!curve.shift) continue;
+    const BoundaryCurve& there = target.curves[curve.curves.target_curve];
+    turns.push_back({{"left", target.names[there.left]},
+                     {"right", there.right == kOutside ? "outside" : target.names[there.right]},
+                     {"shift", curve.shift->shift},
+                     {"rms_distance", curve.shift->rms_distance},
+                     {"other_shift", curve.shift->other_shift},
+                     {"other_rms_distance", curve.shift->other_rms_distance}});
+  }
+  return {{"one_to_one", one_to_one},
+          {"folds", folds},
+          {"parts", parts},
+          {"marker_distances", markers},
+          {"marker_distance_max", farthest},
+          {"turned_curves", turns}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Command command("hull-to-hull",
+                       "Map the source's parts onto the target's hulls: boundaries by arc length between "
+                       "anchors, markers on markers.",
+                       "hull-to-hull cat.hullmap.ply lion.hullmap.ply -o cat-lion.crossmap.ply");
+  const std::string& source_path = command.input("source", "Hull maps of the source", false);
+  const std::string& target_path = command.input("target", "Hull maps of the target", false);
+  command.output();
+  return command.run(argc, argv, [&] {
+    const io::Document source = command.read(source_path, {"hullmap"});
+    const io::Document target = command.read(target_path, {"hullmap"});
+    const HullMap source_map = command.about(source_path, [&] { return io::read_hull_map(source); });
+    const HullMap target_map = command.about(target_path, [&] { return io::read_hull_map(target); });
+    const HullToHull result = command.about(source_path + " and " + target_path,
+                                            [&] { return map_hull_to_hull(source_map, target_map); });
+    for (const std::string& warning : result.warnings) command.warn(warning);
+    command.write(io::to_document(result.map), {&source, &target}, metrics_of(result));
+  });
+}
