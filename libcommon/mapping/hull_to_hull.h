@@ -18,7 +18,8 @@ struct PartCrossing {
   int locked_folds = 0;
   bool one_to_one = false;  ///< certified: genus 0, no folds, degree 1
   double degree = 0;        ///< how often the result covers the hull; 1 for a one-to-one map
-  double distortion = 0;  ///< symmetric Dirichlet against Q^s, 1 for an isometry; 0 when other folds are left
+  double distortion =
+      0;  ///< symmetric Dirichlet against the part, 1 for an isometry; 0 when other folds are left
   bool markers_held = true;  ///< false: the markers were let go because folds remained with them
 };
 

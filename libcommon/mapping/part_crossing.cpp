@@ -166,9 +166,8 @@ PinnedMap PartToHull::pinned(const Points& start, const std::vector<Pin>& pins) 
   std::vector<Pin> all = pins_;
   all.insert(all.end(), pins.begin(), pins.end());
   if (hull_folds(start, source_.mesh.facets(), Vec3::Zero()).count() == 0) {
-    return pin_on_hull(source_.mesh.with_points(own_), weights_, hull_, start, all, kept_);
+    return pin_on_hull(source_.mesh, weights_, hull_, start, all, kept_);
   }
-  // A folded Q^s is no measure of distortion: the undeformed part is.
   std::vector<bool> fixed(start.size(), false);
   PinnedMap result;
   result.images = start;

@@ -8,7 +8,7 @@
 namespace partwise {
 namespace {
 
-constexpr double kFirstPull = 1e-4, kLastPull = 1e5, kPullGrowth = 10;
+constexpr double kFirstPull = 1e-2, kLastPull = 1e6, kPullGrowth = 100;
 constexpr int kIterationsPerPull = 6, kIterationsAtLastPull = 10;
 
 int count_folds(const TriMesh& mesh, const Points& images) {
