@@ -1,0 +1,60 @@
+#include "remeshing/reconstruct.h"
+
+#include <map>
+
+#include "cli/command.h"
+#include "io/stage_documents.h"
+
+namespace {
+
+using namespace partwise;
+
+const std::map<std::string, Coordinates> kCoordinates{{"facet", Coordinates::facet},
+                                                      {"convex-hull", Coordinates::convex_hull},
+                                                      {"mean-value", Coordinates::mean_value}};
+
+void declare_options(CLI::App& app, ReconstructOptions& options) {
+  app.add_option("--coordinates", options.coordinates,
+                 "facet: by the target's facet that contains the vertex; convex-hull, mean-value: as in the "
+                 "paper, averaged over the target's vertices near it, then projected to the target")
+      ->transform(CLI::CheckedTransformer(kCoordinates))
+      ->default_str("facet");
+  app.add_option(
+         "--radius", options.radius,
+         "convex-hull, mean-value: reach of the averaging, in mean edge lengths of the target's part on "
+         "its hull")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+io::Json metrics_of(const Reconstruction& result, Coordinates coordinates) {
+  io::Json metrics{{"vertices", result.mesh.points.size()},
+                   {"ambiguous", result.metrics.ambiguous},
+                   {"on_caps", result.metrics.on_caps}};
+  if (coordinates != Coordinates::facet) metrics["largest_projection"] = result.metrics.largest_projection;
+  return metrics;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Command command("reconstruct",
+                       "Give every source vertex its place on the target: the compatible mesh.",
+                       "reconstruct cat-lion.crossmap.ply -o cat-lion.compatible.ply");
+  const std::string& input =
+      command.input("crossmap", "Source mapped onto the target's hulls, as hull-to-hull writes it");
+  command.output();
+  ReconstructOptions options;
+  declare_options(command.options(), options);
+  return command.run(argc, argv, [&] {
+    const io::Document document = command.read(input, {"crossmap"});
+    const Reconstruction result =
+        command.about(input, [&] { return reconstruct(io::read_cross_map(document), options); });
+    if (result.metrics.ambiguous > 0) {
+      command.warn(std::to_string(result.metrics.ambiguous) +
+                   " vertices lie behind several facets of a folded hull map; took those nearest to their "
+                   "neighbours, relocate may unfold them");
+    }
+    command.write(io::to_document(result.mesh), {&document}, metrics_of(result, options.coordinates));
+  });
+}

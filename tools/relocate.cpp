@@ -1,0 +1,73 @@
+#include "remeshing/relocate.h"
+
+#include "cli/command.h"
+#include "io/stage_documents.h"
+
+namespace {
+
+using namespace partwise;
+
+void declare_options(CLI::App& app, RelocateOptions& options) {
+  app.add_option("--rounds", options.rounds, "Rounds of vertex relocation, Eq. (18)")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option(
+         "--lambda", options.lambda,
+         "Share of the way to the weighted mean of the neighbours in each round, above 0 and at most 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--critical-iterations", options.critical.iterations,
+                 "Rounds of pulling vertices to critical points, Eq. (17); 0: ignore critical points")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--critical-weight", options.critical.weight,
+                 "Weight of the critical points against the Laplacian energy")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--unfold-sweeps", options.unfold.sweeps, "Sweeps over the surroundings of flipped facets")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  app.add_option("--fit-rounds", options.fit.rounds,
+                 "Rounds of pulling vertices to details of the target that the mesh misses")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--fit-threshold", options.fit.threshold,
+                 "Distance from which a target vertex counts as missed, over the target's diagonal")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+io::Json metrics_of(const RelocateMetrics& m) {
+  return {
+      {"critical_points", m.critical_points},
+      {"critical_points_reached", m.critical_reached},
+      {"rounds", m.rounds},
+      {"fit_moves", m.fit_moves},
+      {"flipped_faces", {{"before", m.flipped_before}, {"after", m.flipped_after}}},
+      {"target_vertices_rms_distance", {{"before", m.rms_distance_before}, {"after", m.rms_distance_after}}},
+      {"target_vertices_max_distance", {{"before", m.max_distance_before}, {"after", m.max_distance_after}}}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Command command("relocate",
+                       "Move a compatible mesh over its target: onto its features, into the source's shape.",
+                       "relocate cat-lion.critical.ply -o cat-lion.relocated.ply");
+  const std::string& input =
+      command.input("mesh", "Compatible mesh, as critical-points or reconstruct writes it");
+  command.output();
+  RelocateOptions options;
+  declare_options(command.options(), options);
+  return command.run(argc, argv, [&] {
+    const io::Document document = command.read(input, {"compatible"});
+    const Relocation result =
+        command.about(input, [&] { return relocate(io::read_compatible_mesh(document), options); });
+    if (result.metrics.flipped_after > 0) {
+      command.warn(std::to_string(result.metrics.flipped_after) +
+                   " facets face the target's inside; try more "
+                   "--unfold-sweeps, or look at the folds that hull-to-hull reports");
+    }
+    command.write(io::to_document(result.mesh), {&document}, metrics_of(result.metrics));
+  });
+}
