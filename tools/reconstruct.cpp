@@ -13,12 +13,12 @@ const std::map<std::string, Coordinates> kCoordinates{{"facet", Coordinates::fac
                                                       {"convex-hull", Coordinates::convex_hull},
                                                       {"mean-value", Coordinates::mean_value}};
 
-void declare_options(CLI::App& app, ReconstructOptions& options) {
-  app.add_option("--coordinates", options.coordinates,
+void declare_options(CLI::App& app, std::string& coordinates, ReconstructOptions& options) {
+  app.add_option("--coordinates", coordinates,
                  "facet: by the target's facet that contains the vertex; convex-hull, mean-value: as in the "
                  "paper, averaged over the target's vertices near it, then projected to the target")
-      ->transform(CLI::CheckedTransformer(kCoordinates))
-      ->default_str("facet");
+      ->check(CLI::IsMember(kCoordinates))
+      ->capture_default_str();
   app.add_option(
          "--radius", options.radius,
          "convex-hull, mean-value: reach of the averaging, in mean edge lengths of the target's part on "
@@ -30,7 +30,8 @@ void declare_options(CLI::App& app, ReconstructOptions& options) {
 io::Json metrics_of(const Reconstruction& result, Coordinates coordinates) {
   io::Json metrics{{"vertices", result.mesh.points.size()},
                    {"ambiguous", result.metrics.ambiguous},
-                   {"on_caps", result.metrics.on_caps}};
+                   {"on_caps", result.metrics.on_caps},
+                   {"boundary_gap_max", result.metrics.boundary_gap_max}};
   if (coordinates != Coordinates::facet) metrics["largest_projection"] = result.metrics.largest_projection;
   return metrics;
 }
@@ -45,8 +46,10 @@ int main(int argc, char** argv) {
       command.input("crossmap", "Source mapped onto the target's hulls, as hull-to-hull writes it");
   command.output();
   ReconstructOptions options;
-  declare_options(command.options(), options);
+  std::string coordinates = "facet";
+  declare_options(command.options(), coordinates, options);
   return command.run(argc, argv, [&] {
+    options.coordinates = kCoordinates.at(coordinates);
     const io::Document document = command.read(input, {"crossmap"});
     const Reconstruction result =
         command.about(input, [&] { return reconstruct(io::read_cross_map(document), options); });

@@ -50,9 +50,11 @@ class Placement {
         source_(map.source.mesh),
         target_(map.target.hulled.model.mesh),
         walker_(target_),
-        candidates_(source_.vertex_count()) {
+        candidates_(source_.vertex_count()),
+        is_placed_(source_.vertex_count(), false) {
     for (const BoundaryPlacement& place : map.boundary) {
       candidates_.at(place.source_vertex) = {on_target(target_, place)};
+      is_placed_[place.source_vertex] = true;
     }
     for (std::size_t k = 0; k < map.source_parts.size(); ++k) locate_part(k);
     choose();
@@ -76,14 +78,26 @@ class Placement {
     for (int v = 0; v < source_part.mesh.vertex_count(); ++v) {
       if (source_part.is_cap_vertex(v)) continue;
       Candidates& candidates = candidates_[source_part.model_vertex[v]];
-      if (!candidates.empty()) continue;
       const Vec3& image = map_.images[k][v];
+      if (is_placed_[source_part.model_vertex[v]]) {
+        note_gap(position(target_, candidates.front()), locator, image);
+        continue;
+      }
       const Candidates found = locator.locate(image);
       for (const SurfacePoint& local : found) candidates.push_back(locator.on_model(local));
       if (target_part.is_cap_facet(found.front().facet)) ++metrics_.on_caps;
       if (options_.coordinates == Coordinates::facet) continue;
       for (std::size_t i = 0; i < found.size(); ++i) project(candidates[i], average.at(image, found[i]));
     }
+  }
+
+  /// Notes how far the part's own map puts a boundary vertex from its place.
+  void note_gap(const Vec3& place, const DomainLocator& locator, const Vec3& image) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const SurfacePoint& local : locator.locate(image)) {
+      gap = std::min(gap, (position(target_, locator.on_model(local)) - place).norm());
+    }
+    metrics_.boundary_gap_max = std::max(metrics_.boundary_gap_max, gap / target_.diagonal());
   }
 
   void project(SurfacePoint& candidate, const Vec3& average) {
@@ -159,6 +173,7 @@ class Placement {
   const TriMesh &source_, &target_;
   SurfaceWalker walker_;
   std::vector<Candidates> candidates_;  ///< per source vertex; one each at the end
+  std::vector<bool> is_placed_;         ///< per source vertex: by CrossMap::boundary
   ReconstructMetrics metrics_;
 };
 

@@ -20,8 +20,11 @@ struct ReconstructOptions {
 
 /// What `reconstruct` met on its way.
 struct ReconstructMetrics {
-  int ambiguous = 0;              ///< vertices behind which lie several facets of a folded map
-  int on_caps = 0;                ///< vertices in the cap of an opening, moved to the opening's boundary
+  int ambiguous = 0;  ///< vertices behind which lie several facets of a folded map
+  int on_caps = 0;    ///< vertices in the cap of an opening, moved to the opening's boundary
+  /// Largest distance from a boundary vertex's place to where the parts' own maps put it, over the target's
+  /// diagonal: 0 (within rounding) when the map is continuous across parts.
+  double boundary_gap_max = 0;
   double largest_projection = 0;  ///< averaging only: from average to surface, over the target's diagonal
 };
 

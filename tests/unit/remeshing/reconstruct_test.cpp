@@ -24,6 +24,7 @@ TEST(Reconstruct, OntoItselfIsTheModel) {
       const Reconstruction result = reconstruct(tests::projected_pair(model, model));
       EXPECT_LT(largest_difference(result.mesh.points, mesh.points()), 1e-12);
       EXPECT_EQ(result.metrics.ambiguous, 0);
+      EXPECT_LT(result.metrics.boundary_gap_max, 1e-12);
       EXPECT_EQ(result.mesh.source_labels, model.segmentation.labels);
     }
   }
@@ -64,6 +65,15 @@ TEST(Reconstruct, KeepsBoundaryVerticesWhereTheyWerePlaced) {
     EXPECT_NEAR((mesh.points[place.source_vertex] - (a + place.fraction * (b - a))).norm(), 0, 1e-15);
     EXPECT_EQ(mesh.points[place.source_vertex].z(), 0);
   }
+}
+
+TEST(Reconstruct, ReportsAGapBetweenPartsAndBoundary) {
+  const SegmentedModel model = tests::halves(tests::sphere(8));
+  CrossMap map = tests::projected_pair(model, model);
+  const BoundaryPlacement place = map.boundary.front();
+  const double edge = (model.mesh.point(place.target_b) - model.mesh.point(place.target_a)).norm();
+  map.boundary.front().fraction = 1 - place.fraction;
+  EXPECT_NEAR(reconstruct(map).metrics.boundary_gap_max, edge / model.mesh.diagonal(), 1e-12);
 }
 
 TEST(Reconstruct, KeepsSourceVerticesInTheirParts) {

@@ -1,0 +1,47 @@
+# The tool relocate: a cube on a bumpy sphere, 8 markers, as in the paper's Fig. 11.
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  PATH=$PARTWISE_BIN:$PATH
+  sample_crossmap cross.ply
+  reconstruct cross.ply -o compatible.ply
+  critical-points compatible.ply -o critical.ply
+}
+
+@test "it brings the mesh nearer to the target and leaves no vertex off it" {
+  relocate critical.ply -o relocated.ply
+  measure compatible.ply -o before.json
+  measure relocated.ply -o after.json
+  jq -e '.on_surface_max < 1e-12 and .flipped_faces == 0 and .marker_error_max < 1e-12' after.json
+  jq -s -e '.[0].rms_distance > 2 * .[1].rms_distance' before.json after.json
+  jq -e '.metrics.relocate | .critical_points_reached > 5 and .rounds >= 1 and .fit_moves > 0' relocated.json
+}
+
+@test "every step can be switched off" {
+  relocate critical.ply --critical-iterations 0 --rounds 0 --fit-rounds 0 --unfold-sweeps 0 -o same.ply
+  measure critical.ply -o before.json
+  measure same.ply -o after.json
+  [ "$(jq '[.rms_distance, .max_distance]' before.json)" = "$(jq '[.rms_distance, .max_distance]' after.json)" ]
+}
+
+@test "the three stages work in a pipe" {
+  reconstruct cross.ply | critical-points | relocate -o piped.ply
+  relocate critical.ply -o filed.ply
+  cmp piped.ply filed.ply
+}
+
+@test "the same bytes on every run" {
+  relocate critical.ply -o first.ply
+  relocate critical.ply -o second.ply
+  cmp first.ply second.ply
+}
+
+@test "wrong usage ends with 2, the wrong document with 3" {
+  run relocate critical.ply --lambda 2
+  [ "$status" -eq 2 ]
+  run relocate critical.ply --rounds -1
+  [ "$status" -eq 2 ]
+  run relocate cross.ply
+  [ "$status" -eq 3 ]
+  [[ $output == *"cross.ply"* ]]
+}
