@@ -20,16 +20,16 @@ bool is_true(const Json& value) {
 
 /// Adds the folds of one hull map. \return false when they are not known
 bool add_map(const Json& metrics, HullFoldCounts& counts) {
-  const Json parts = member(metrics, {"parts"});
-  if (!parts.is_structured() || parts.empty()) return false;
-  for (const auto& [key, part] : parts.items()) {
-    const Json name = parts.is_array() ? member(part, {"name"}) : Json(key);
-    const Json folds = member(part, {"folds"});
-    if (!name.is_string() || !folds.is_number_integer()) return false;
-    counts.total += folds.get<int>();
-    counts.parts[name.get<std::string>()] += folds.get<int>();
-    counts.certified = counts.certified && folds == 0 && is_true(member(part, {"one_to_one"}));
+  const Json parts = member(metrics, {"hull_folds", "parts"});
+  if (!parts.is_object() || parts.empty()) return false;
+  int total = 0;
+  for (const auto& [name, folds] : parts.items()) {
+    if (!folds.is_number_integer()) return false;
+    total += folds.get<int>();
+    counts.parts[name] += folds.get<int>();
   }
+  counts.total += total;
+  counts.certified = counts.certified && total == 0 && is_true(member(metrics, {"one_to_one"}));
   return true;
 }
 

@@ -12,7 +12,7 @@ using namespace partwise;
 namespace {
 
 io::Json hull_map(int folds) {
-  return {{"parts", {{{"name", "whole"}, {"folds", folds}, {"one_to_one", folds == 0}}}}};
+  return {{"one_to_one", folds == 0}, {"hull_folds", {{"total", folds}, {"parts", {{"whole", folds}}}}}};
 }
 
 CompatibleMesh sample(double shift) {

@@ -28,9 +28,8 @@ Measurement some_measurement() {
 }
 
 Json hull_map(int head, int body, bool certified) {
-  return {{"parts",
-           {{{"name", "head"}, {"folds", head}, {"one_to_one", certified}},
-            {{"name", "body"}, {"folds", body}, {"one_to_one", certified}}}}};
+  return {{"one_to_one", certified},
+          {"hull_folds", {{"total", head + body}, {"parts", {{"head", head}, {"body", body}}}}}};
 }
 
 Json all_metrics(const Json& source, const Json& target, const Json& cross) {
@@ -41,8 +40,8 @@ Json all_metrics(const Json& source, const Json& target, const Json& cross) {
 }
 
 TEST(StageFigures, FoldsAreSummedOverMapsAndParts) {
-  const StageFigures figures = stage_figures(
-      all_metrics(hull_map(1, 0, false), hull_map(0, 2, false), {{"parts", {{"head", {{"folds", 4}}}}}}));
+  const StageFigures figures =
+      stage_figures(all_metrics(hull_map(1, 0, false), hull_map(0, 2, false), hull_map(4, 0, false)));
   ASSERT_TRUE(figures.hull_folds);
   EXPECT_EQ(figures.hull_folds->total, 7);
   EXPECT_EQ(figures.hull_folds->parts, (std::map<std::string, int>{{"head", 5}, {"body", 2}}));
