@@ -24,9 +24,10 @@ struct StageFigures {
 };
 
 /// Reads the metrics of a compatible mesh: `source.map-to-hull`, `target.map-to-hull` and `hull-to-hull`,
-/// each with `hull_folds.parts`, folds by the part's name, and `one_to_one`, whether the whole map is
-/// certified; `reconstruct.boundary_gap_max`; and `one_to_one` of `relocate` or else `reconstruct`.
-/// Members that are missing or of another type leave their figure undefined.
+/// each with `hull_folds.parts` (folds by the part's name) or `parts` (an array of objects with `name` and
+/// `folds`), and `one_to_one`, whether the whole map is certified; `reconstruct.boundary_gap_max`; and
+/// `one_to_one` of `relocate` or else `reconstruct`. Members that are missing or of another type leave their
+/// figure undefined.
 StageFigures stage_figures(const io::Json& metrics);
 
 }  // namespace partwise
