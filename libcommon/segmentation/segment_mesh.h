@@ -35,8 +35,10 @@ struct SegmentedMesh {
 /// Cuts a mesh into the parts of a sketch and places the sketch's markers and anchors ([Wu11] 4.2).
 ///
 /// Every part is connected, its boundaries are simple curves of edges. The result does not change when the
-/// model is scaled, moved, rotated or renumbered, apart from ties in a symmetric model. A sketch with fewer
-/// than two parts makes the whole mesh one part, called "whole" when the sketch does not name it.
+/// model is scaled, moved or renumbered, apart from ties in a symmetric model; rotating it changes the
+/// diagonal that the crease field is relative to, by little. A sketch with fewer than two parts makes the
+/// whole mesh one part, called "whole" when the sketch does not name it.
+///
 /// \throws InputError naming part, stroke and entry (or marker, anchor) when sketch and mesh do not fit, a
 ///         component of the mesh has no stroke, a part would be empty; ComputationError naming the vertex
 ///         where boundaries cannot be made simple.
