@@ -1,0 +1,48 @@
+// Writes a mesh of known shape: sample_mesh capsule|torus|two-spheres OUT.ply
+// or prints the part of every facet: sample_mesh labels SEGMENTED.ply
+#include <iostream>
+#include <string>
+
+#include "builders.h"
+#include "error.h"
+#include "io/stage_documents.h"
+
+using namespace partwise;
+
+namespace {
+
+TriMesh two_spheres() {
+  const TriMesh one = tests::sphere(4);
+  Points points = one.points();
+  Facets facets = one.facets();
+  const int n = one.vertex_count();
+  for (const Vec3& p : one.points()) points.push_back(p + Vec3(5, 0, 0));
+  for (const auto& [a, b, c] : one.facets()) facets.push_back({a + n, b + n, c + n});
+  return TriMesh(std::move(points), std::move(facets));
+}
+
+TriMesh mesh_called(const std::string& name) {
+  if (name == "capsule") return tests::capsule(4, 24, 45);
+  if (name == "torus") return tests::torus(3, 1, 24, 12);
+  if (name == "two-spheres") return two_spheres();
+  throw UsageError("unknown shape " + name);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  const std::string what = argv[1], path = argv[2];
+  try {
+    if (what == "labels") {
+      const SegmentedModel model = io::read_segmented_model(io::read_document(path));
+      for (const int label : model.segmentation.labels) std::cout << label << '\n';
+    } else {
+      io::write_document(path, io::to_document(mesh_called(what)), true);
+    }
+    return 0;
+  } catch (const Error& error) {
+    std::cerr << error.what() << '\n';
+    return error.exit_code();
+  }
+}

@@ -1,0 +1,127 @@
+# The tool segment: its documents, --check, and what it says of sketches that do not fit.
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  PATH=$PARTWISE_BIN:$PATH
+  sample_mesh capsule capsule.ply
+  sample_mesh torus torus.ply
+  # The capsule's axis is z; vertex 0 is its south pole, 1057 the north pole.
+  sketch good <<<'{"name": "south", "strokes": [{"vertices": [0, 60]}]},
+                  {"name": "north", "strokes": [{"vertices": [1057, 1000]}]}'
+}
+
+# Writes NAME.sketch.json with the parts on standard input and, optionally, further members.
+sketch() {
+  printf '{"schema": "partwise/sketch-1", "parts": [%s]%s}\n' "$(cat)" "${2:+, $2}" >"$1.sketch.json"
+}
+
+# fails CODE TEXT COMMAND...: the command ends with CODE, its message contains TEXT, nothing is left behind.
+fails() {
+  local code=$1 text=$2
+  shift 2
+  run "$@"
+  [ "$status" -eq "$code" ] || { echo "exit $status: $output"; return 1; }
+  [[ "$output" == segment:*"$text"* ]] || { echo "$output"; return 1; }
+  ! compgen -G '*out*' || return 1
+}
+
+@test "a sketch cuts the mesh into parts" {
+  segment capsule.ply --sketch good.sketch.json -o out.ply
+  jq -e '.schema == "partwise/segment-1" and .history[-1].tool == "segment"' out.json
+  jq -e '.metrics.segment | .parts == 2 and .curves == 1 and .cross_points == 0' out.json
+}
+
+@test "the same bytes on every run, by file and by pipe" {
+  segment capsule.ply --sketch good.sketch.json -o a.ply
+  sample_mesh capsule - | segment - --sketch good.sketch.json -o b.ply
+  cmp a.ply b.ply
+  cmp a.json b.json
+  segment capsule.ply --sketch good.sketch.json >c.ply
+  segment --check a.ply c.ply
+}
+
+@test "growth as in the paper" {
+  segment capsule.ply --sketch good.sketch.json --method growth -o grown.ply
+  jq -e '.metrics.segment.curves == 1 and .history[-1].arguments.method == "growth"' grown.json
+  segment capsule.ply --sketch good.sketch.json -o walked.ply
+  segment --check grown.ply walked.ply
+}
+
+@test "without a sketch the mesh is one part" {
+  segment torus.ply -o out.ply
+  jq -e '.metrics.segment | .parts == 1 and .curves == 0' out.json
+  echo '{"schema": "partwise/sketch-1"}' >empty.sketch.json
+  segment torus.ply --sketch empty.sketch.json -o empty.ply
+  segment --check out.ply empty.ply
+}
+
+@test "a stroke on the screen seeds what it covers" {
+  # Orthographic, from +x: screen x is y of the model, screen y (down) is -z. The capsule spans z from -3 to 3.
+  camera='"camera": {"view": [0,1,0,0, 0,0,1,0, 1,0,0,-10, 0,0,0,1],
+                     "projection": [0.25,0,0,0, 0,0.25,0,0, 0,0,-0.05,-1, 0,0,0,1], "viewport": [400, 400]}'
+  sketch screen <<<"{\"name\": \"south\", \"strokes\": [{\"screen\": [[200, 280], [200, 340]], $camera}]},
+                    {\"name\": \"north\", \"strokes\": [{\"screen\": [[200, 120], [200, 60]], $camera}]}"
+  segment capsule.ply --sketch screen.sketch.json -o screen.ply
+  segment capsule.ply --sketch good.sketch.json -o vertices.ply
+  segment --check screen.ply vertices.ply
+  # Neither the order of strokes and points nor repetition matters.
+  sketch turned <<<"{\"name\": \"south\", \"strokes\": [{\"screen\": [[200, 340], [200, 280], [200, 340]], $camera}]},
+                    {\"name\": \"north\", \"strokes\": [{\"screen\": [[200, 60], [200, 120]], $camera}]}"
+  segment capsule.ply --sketch turned.sketch.json -o turned.ply
+  cmp <(sample_mesh labels screen.ply) <(sample_mesh labels turned.ply)
+  sketch beside <<<"{\"name\": \"south\", \"strokes\": [{\"screen\": [[1, 1], [9, 9]], $camera}]},
+                    {\"name\": \"north\", \"strokes\": [{\"vertices\": [1057]}]}"
+  fails 3 "part 'south', stroke 0: the polyline misses the mesh" segment capsule.ply -s beside.sketch.json -o out.ply
+}
+
+@test "bad sketches are refused with part, stroke and entry" {
+  sketch unknown <<<'{"name": "south", "strokes": [{"vertices": [0]}, {"vertices": [3, 999999]}]},
+                     {"name": "north", "strokes": [{"vertices": [1057]}]}'
+  fails 3 "unknown.sketch.json: part 'south', stroke 1, entry 1: there is no vertex 999999" \
+    segment capsule.ply -s unknown.sketch.json -o out.ply
+  sketch far <<<'{"name": "south", "strokes": [{"points": [[0, 0, -30]]}]},
+                 {"name": "north", "strokes": [{"vertices": [1057]}]}'
+  fails 3 "far.sketch.json: part 'south', stroke 0, entry 0: the point lies" \
+    segment capsule.ply -s far.sketch.json -o out.ply
+  sketch bare <<<'{"name": "south"}, {"name": "north", "strokes": [{"vertices": [1057]}]}'
+  fails 3 "part 'south' has no stroke" segment capsule.ply -s bare.sketch.json -o out.ply
+  sketch twice <<<'{"name": "south"}, {"name": "south"}'
+  fails 3 "the name 'south' is used twice" segment capsule.ply -s twice.sketch.json -o out.ply
+  sketch lost '"markers": [{"name": "m", "face": 1, "barycentric": [0.5, 0.4, 0.4]}]' <<<''
+  fails 3 "marker 'm': barycentric coordinates" segment capsule.ply -s lost.sketch.json -o out.ply
+  sketch other '"mesh": {"vertices": 5, "faces": 6}' <<<''
+  fails 3 "drawn for a mesh of 5 vertices" segment capsule.ply -s other.sketch.json -o out.ply
+  echo '{"schema": "partwise/sketch-1", "parts": [' >broken.sketch.json
+  fails 3 "broken.sketch.json: this is not JSON" segment capsule.ply -s broken.sketch.json -o out.ply
+  fails 4 "nowhere.sketch.json" segment capsule.ply -s nowhere.sketch.json -o out.ply
+}
+
+@test "components without stroke, or with one part, are refused" {
+  sample_mesh two-spheres two.ply
+  fails 3 "the mesh has 2 components" segment two.ply -o out.ply
+  sketch half <<<'{"name": "a", "strokes": [{"vertices": [0]}]}, {"name": "b", "strokes": [{"vertices": [5]}]}'
+  fails 3 "has no stroke" segment two.ply -s half.sketch.json -o out.ply
+}
+
+@test "--check names every difference and where" {
+  segment capsule.ply --sketch good.sketch.json -o a.ply
+  sketch three '"markers": [{"name": "m", "vertex": 5}]' <<<'{"name": "south", "strokes": [{"vertices": [0, 60]}]},
+    {"name": "waist", "strokes": [{"vertices": [500, 530]}]}, {"name": "north", "strokes": [{"vertices": [1057, 1000]}]}'
+  segment capsule.ply --sketch three.sketch.json -o b.ply
+  fails 3 "a.ply and b.ply: part 'waist' exists only in the second model" segment --check a.ply b.ply
+  [[ "$output" == *"the parts 'north' and 'south' meet only in the first model (at vertex "* ]]
+  [[ "$output" == *"marker 'm' exists only in the second model"* ]]
+  fails 3 "a.ply and b.ply" segment --check a.ply a.ply b.ply
+  fails 3 "kind mesh" segment --check a.ply capsule.ply
+  fails 2 "" segment --check a.ply
+}
+
+@test "hints: parts to decompose, boundaries without anchors" {
+  run segment capsule.ply --sketch good.sketch.json --tau 0.001 -o one.ply
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"warning: part 'south': decompose further near vertex "* ]]
+  [[ "$output" == *"warning: the boundary between 'south' and 'north'"*"has no anchor"* ]]
+  run segment capsule.ply --sketch good.sketch.json --tau 0.001 --quiet -o two.ply
+  [ "$output" = "" ]
+  cmp one.ply two.ply
+}
