@@ -72,9 +72,11 @@ void require_components(const TriMesh& mesh, const std::vector<std::string>& nam
   }
   for (std::size_t f = 0; f < component.size(); ++f) {
     if (reached[component[f]]) continue;
-    throw InputError("the mesh has " + std::to_string(count) + " components, and the one of vertex " +
-                     std::to_string(mesh.facet(static_cast<int>(f))[0]) +
-                     " has no stroke; draw one of a part of its own there, or remove the component");
+    throw InputError(
+        "the mesh has " + std::to_string(count) + " components, and the one of vertex " +
+        std::to_string(mesh.facet(static_cast<int>(f))[0]) +
+        " has no stroke; draw one of a part of its own there, or keep the largest component alone "
+        "(convert-mesh --keep-largest-component)");
   }
 }
 

@@ -39,7 +39,7 @@ void require_one_component(const TriMesh& mesh) {
                    std::to_string(1 + *std::max_element(component.begin(), component.end())) +
                    " components (facet " + std::to_string(second - component.begin()) +
                    " is not connected to facet 0) but one part; give each component a part of its own, or "
-                   "remove all but one");
+                   "keep the largest (convert-mesh --keep-largest-component)");
 }
 
 std::vector<int> raw_labels(const TriMesh& mesh, const Seeds& seeds, int part_count,
@@ -60,7 +60,10 @@ RepairedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>&
     return whole;
   }
   const Seeds seeds = collect_seeds(mesh, names, strokes);
-  const std::vector<double> concavity = edge_concavity(mesh);
+  // The paper's growth knows no creases; to look for them would take longer than the growth itself.
+  const bool seeks_creases = options.method == SegmentationMethod::walker;
+  const std::vector<double> concavity =
+      seeks_creases ? edge_concavity(mesh) : std::vector<double>(mesh.half_edges().n_edges(), 0.0);
   const std::vector<double> costs = boundary_costs(mesh, concavity);
   const int part_count = static_cast<int>(names.size());
   return repair_labels(mesh, names, seeds, raw_labels(mesh, seeds, part_count, concavity, costs, options),
