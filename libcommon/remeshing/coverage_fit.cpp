@@ -18,7 +18,8 @@ class Round {
         options_(options),
         facet_of_(mesh.target().vertex_count()),
         nearest_to_(mesh.source().facet_count()),
-        moved_(mesh.points().size(), false) {
+        moved_(mesh.points().size(), false),
+        attempts_(mesh.points().size(), 0) {
     const SurfaceIndex surface(mesh.points(), mesh.source().facets());
     const double reach = options.threshold * mesh.target().diagonal();
     for (int t = 0; t < mesh.target().vertex_count(); ++t) {
@@ -39,6 +40,9 @@ class Round {
   }
 
  private:
+  /// A vertex that so many pulls did not move stays: a target much finer than the mesh has many of them.
+  static constexpr int kMostAttempts = 8;
+
   struct Far {
     double distance;
     int vertex;
@@ -51,7 +55,8 @@ class Round {
       return (mesh_.points()[a] - goal).squaredNorm() < (mesh_.points()[b] - goal).squaredNorm();
     });
     for (const int corner : corners) {
-      if (mesh_.is_pinned(corner) || moved_[corner]) continue;
+      if (mesh_.is_pinned(corner) || moved_[corner] || attempts_[corner] == kMostAttempts) continue;
+      ++attempts_[corner];
       const Vec3 from = mesh_.points()[corner];
       if (try_move(corner, goal) || try_move(corner, (from + goal) / 2)) return moved_[corner] = true;
     }
@@ -93,6 +98,7 @@ class Round {
   std::vector<std::vector<int>> nearest_to_;
   std::vector<Far> far_;
   std::vector<bool> moved_;
+  std::vector<int> attempts_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "error.h"
+#include "geometry/normals.h"
 #include "geometry/surface_index.h"
 
 namespace partwise {
@@ -30,11 +31,26 @@ Distances coverage(const MeshOnSurface& mesh) {
 
 void check(const RelocateOptions& options) {
   if (options.rounds < 0) throw InputError("the number of relocation rounds must not be negative");
+  if (options.relax_sweeps < 0) throw InputError("the number of relaxation sweeps must not be negative");
   if (!(options.lambda > 0) || options.lambda > 1) {
     throw InputError("lambda is " + std::to_string(options.lambda) + "; give a number above 0 and at most 1");
   }
   if (!(options.critical.weight > 0)) throw InputError("the weight of critical points must be positive");
   if (!(options.fit.threshold >= 0)) throw InputError("the threshold of the fit must not be negative");
+}
+
+/// Per source facet: how much larger its part is on the target than on the source, as a length.
+std::vector<double> part_scales(const CompatibleMesh& mesh) {
+  std::vector<double> source(mesh.part_names.size(), 0.0), target(mesh.part_names.size(), 0.0);
+  const std::vector<double> source_areas = facet_areas(mesh.source.points(), mesh.source.facets());
+  const std::vector<double> target_areas = facet_areas(mesh.target.points(), mesh.target.facets());
+  for (std::size_t f = 0; f < source_areas.size(); ++f) source[mesh.source_labels[f]] += source_areas[f];
+  for (std::size_t f = 0; f < target_areas.size(); ++f) target[mesh.target_labels[f]] += target_areas[f];
+  std::vector<double> scales;
+  for (const int part : mesh.source_labels) {
+    scales.push_back(source[part] > 0 ? std::sqrt(target[part] / source[part]) : 1);
+  }
+  return scales;
 }
 
 CompatibleMesh with_images(const CompatibleMesh& mesh, const MeshOnSurface& moved) {
@@ -77,6 +93,7 @@ Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) 
     const double moved = relocation_round(moving, weights, options.lambda);
     if (moved < options.convergence * mesh.target.diagonal()) break;
   }
+  relax(moving, options.relax_sweeps, part_scales(mesh));
   if (unfold(moving, options.unfold) > 0) {
     for (const CriticalPair& pair : pairs) moving.unpin(pair.vertex);
     unfold(moving, options.unfold);

@@ -11,17 +11,20 @@
 namespace partwise {
 namespace {
 
-/// The energy of a vertex's ring as a function of its place, the other vertices at rest.
+/// The energy of a vertex's ring as a function of its place, the other vertices at rest. `scales` as in
+/// `relax`.
 class RingEnergy {
  public:
-  RingEnergy(const MeshOnSurface& mesh, int vertex, double epsilon) : mesh_(mesh), epsilon_(epsilon) {
-    double source_area = 0, area = 0, size = 0;
+  RingEnergy(const MeshOnSurface& mesh, int vertex, double epsilon, const std::vector<double>& scales)
+      : mesh_(mesh), epsilon_(epsilon) {
+    double source_area = 0, area = 0, size = 0, wanted = 0;
     const Points& rest = mesh.source().points();
     for (const int f : mesh.ring(vertex)) {
       const Facet& facet = mesh.source().facet(f);
       const int first = static_cast<int>(std::find(facet.begin(), facet.end(), vertex) - facet.begin());
       const int b = facet[(first + 1) % 3], c = facet[(first + 2) % 3];
       corners_.push_back({vertex, b, c});
+      if (!scales.empty()) wanted += scales[f];
       const Points& p = mesh.points();
       source_area += area_vector(rest[vertex], rest[b], rest[c]).norm() / 2;
       area += area_vector(p[vertex], p[b], p[c]).norm() / 2;
@@ -30,8 +33,9 @@ class RingEnergy {
     }
     is_valid_ = source_area > 0 && area > 0;
     if (!is_valid_) return;
-    const double scale = std::sqrt(area / source_area);
-    const double least_area = 1e-3 * area / static_cast<double>(corners_.size());
+    const double scale =
+        scales.empty() ? std::sqrt(area / source_area) : wanted / static_cast<double>(corners_.size());
+    const double least_area = 1e-3 * scale * scale * source_area / static_cast<double>(corners_.size());
     for (const Facet& f : corners_) {
       references_.push_back(ReferenceTriangle::from(scale * rest[f[0]], scale * rest[f[1]],
                                                     scale * rest[f[2]], 0.02, least_area));
@@ -82,9 +86,9 @@ class RingEnergy {
 };
 
 /// One step of one vertex; halved until it lowers the energy and flips nothing.
-void improve(MeshOnSurface& mesh, int vertex, double epsilon) {
+void improve(MeshOnSurface& mesh, int vertex, double epsilon, const std::vector<double>& scales = {}) {
   if (mesh.is_pinned(vertex) || mesh.normal(vertex).isZero(0)) return;
-  const RingEnergy energy(mesh, vertex, epsilon);
+  const RingEnergy energy(mesh, vertex, epsilon, scales);
   if (!energy.is_valid()) return;
   const Vec3 start = mesh.points()[vertex];
   const SurfacePoint old = mesh.image(vertex);
@@ -134,9 +138,9 @@ int unfold(MeshOnSurface& mesh, const UnfoldOptions& options) {
   return mesh.flipped_count();
 }
 
-void relax(MeshOnSurface& mesh, int sweeps) {
+void relax(MeshOnSurface& mesh, int sweeps, const std::vector<double>& scales) {
   for (int i = 0; i < sweeps; ++i) {
-    for (int v = 0; v < mesh.source().vertex_count(); ++v) improve(mesh, v, 1e-2);
+    for (int v = 0; v < mesh.source().vertex_count(); ++v) improve(mesh, v, 1e-2, scales);
   }
 }
 

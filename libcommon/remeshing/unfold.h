@@ -15,7 +15,9 @@ struct UnfoldOptions {
 /// energy and flips no facet. Returns the number of facets that remain flipped.
 int unfold(MeshOnSurface& mesh, const UnfoldOptions& options = {});
 
-/// Lowers the same energy everywhere, for `sweeps` sweeps: evens out the map's distortion.
-void relax(MeshOnSurface& mesh, int sweeps);
+/// Lowers the same energy everywhere, for `sweeps` sweeps: evens out the map's distortion, sizes included.
+/// `scales` says per source facet how much longer its edges should be on the target; empty leaves sizes out,
+/// as in `unfold`.
+void relax(MeshOnSurface& mesh, int sweeps, const std::vector<double>& scales);
 
 }  // namespace partwise

@@ -111,7 +111,7 @@ TEST(Relocate, RelaxationEvensOutAShakenMap) {
   const TriMesh flat = tests::grid(8);
   const CompatibleMesh mesh = shaken(flat, 0.4, 5);
   MeshOnSurface moving(mesh);
-  relax(moving, 100);
+  relax(moving, 100, std::vector<double>(flat.facet_count(), 1.0));
   EXPECT_LT(mean_distance(moving.points(), flat.points()), 0.02 * mean_distance(mesh.points, flat.points()));
 }
 
