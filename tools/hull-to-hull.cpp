@@ -9,20 +9,19 @@ namespace {
 using namespace partwise;
 
 io::Json metrics_of(const HullToHull& result) {
-  io::Json parts = io::Json::array(), markers = io::Json::object(), turns = io::Json::array();
+  io::Json parts = io::Json::object(), markers = io::Json::object(), turns = io::Json::array();
   int folds = 0;
   bool one_to_one = true;
   double farthest = 0;
   for (const PartCrossing& part : result.parts) {
-    parts.push_back({{"name", part.name},
-                     {"source_folds", part.source_folds},
-                     {"folds_before", part.folds_before},
-                     {"folds", part.folds},
-                     {"locked_folds", part.locked_folds},
-                     {"degree", part.degree},
-                     {"one_to_one", part.one_to_one},
-                     {"distortion", part.distortion},
-                     {"markers_held", part.markers_held}});
+    parts[part.name] = {{"source_folds", part.source_folds},
+                        {"folds_before", part.folds_before},
+                        {"folds", part.folds},
+                        {"locked_folds", part.locked_folds},
+                        {"degree", part.degree},
+                        {"one_to_one", part.one_to_one},
+                        {"distortion", part.distortion},
+                        {"markers_held", part.markers_held}};
     folds += part.folds;
     one_to_one = one_to_one && part.one_to_one;
   }

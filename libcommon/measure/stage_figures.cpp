@@ -18,27 +18,13 @@ bool is_true(const Json& value) {
   return value.is_boolean() && value.get<bool>();
 }
 
-/// Folds by the part's name, null when they are not known.
-Json folds_by_part(const Json& metrics) {
-  const Json by_name = member(metrics, {"hull_folds", "parts"});
-  if (by_name.is_object()) return by_name;
-  const Json parts = member(metrics, {"parts"});
-  if (!parts.is_array()) return nullptr;
-  Json folds = Json::object();
-  for (const Json& part : parts) {
-    const Json name = member(part, {"name"});
-    if (!name.is_string()) return nullptr;
-    folds[name.get<std::string>()] = member(part, {"folds"});
-  }
-  return folds;
-}
-
 /// Adds the folds of one hull map. \return false when they are not known
 bool add_map(const Json& metrics, HullFoldCounts& counts) {
-  const Json parts = folds_by_part(metrics);
+  const Json parts = member(metrics, {"parts"});
   if (!parts.is_object() || parts.empty()) return false;
   int total = 0;
-  for (const auto& [name, folds] : parts.items()) {
+  for (const auto& [name, part] : parts.items()) {
+    const Json folds = member(part, {"folds"});
     if (!folds.is_number_integer()) return false;
     total += folds.get<int>();
     counts.parts[name] += folds.get<int>();

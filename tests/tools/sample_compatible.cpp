@@ -12,7 +12,7 @@ using namespace partwise;
 namespace {
 
 io::Json hull_map(int folds) {
-  return {{"one_to_one", folds == 0}, {"hull_folds", {{"total", folds}, {"parts", {{"whole", folds}}}}}};
+  return {{"one_to_one", folds == 0}, {"parts", {{"whole", {{"folds", folds}}}}}};
 }
 
 CompatibleMesh sample(double shift) {

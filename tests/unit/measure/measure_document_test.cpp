@@ -28,8 +28,7 @@ Measurement some_measurement() {
 }
 
 Json hull_map(int head, int body, bool certified) {
-  return {{"one_to_one", certified},
-          {"hull_folds", {{"total", head + body}, {"parts", {{"head", head}, {"body", body}}}}}};
+  return {{"one_to_one", certified}, {"parts", {{"head", {{"folds", head}}}, {"body", {{"folds", body}}}}}};
 }
 
 Json all_metrics(const Json& source, const Json& target, const Json& cross) {
@@ -42,7 +41,7 @@ Json all_metrics(const Json& source, const Json& target, const Json& cross) {
 TEST(StageFigures, FoldsAreSummedOverMapsAndParts) {
   const StageFigures figures =
       stage_figures(all_metrics(hull_map(1, 0, false), hull_map(0, 2, false),
-                                {{"one_to_one", false}, {"parts", {{{"name", "head"}, {"folds", 4}}}}}));
+                                {{"one_to_one", false}, {"parts", {{"head", {{"folds", 4}}}}}}));
   ASSERT_TRUE(figures.hull_folds);
   EXPECT_EQ(figures.hull_folds->total, 7);
   EXPECT_EQ(figures.hull_folds->parts, (std::map<std::string, int>{{"head", 5}, {"body", 2}}));
