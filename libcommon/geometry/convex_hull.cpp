@@ -10,6 +10,7 @@
 #include <string>
 
 #include "error.h"
+#include "geometry/flat_sides.h"
 #include "geometry/normals.h"
 #include "geometry/surface_index.h"
 
@@ -139,7 +140,10 @@ ConvexHull convex_hull(const Points& points) {
     corners = std::move(extreme);
     facets = hull_facets(corners);
   }
-  return in_input_order(points, corners, std::move(facets));
+  Points extreme;
+  for (const Corner& corner : corners) extreme.push_back(points[corner.input]);
+  // CGAL cuts flat sides into triangles in an order of memory addresses, which change from run to run.
+  return in_input_order(points, corners, fan_flat_sides(extreme, facets));
 }
 
 Vec3 hull_centre(const ConvexHull& hull) {
