@@ -39,7 +39,7 @@ camel_to_cow() {
 
 @test "made again on one processor it has the same bytes" {
   camel_to_cow out -j1
-  diff -r --exclude=.settings out "$PAIR"
+  diff -rq --exclude=.settings out "$PAIR"
 }
 
 @test "the shell pipeline has the bytes that make has" {
@@ -63,7 +63,7 @@ camel_to_cow() {
   wait $job || true
   camel_to_cow out -j2
   camel_to_cow out -q
-  diff -r --exclude=.settings out "$PAIR"
+  diff -rq --exclude=.settings out "$PAIR"
 }
 
 @test "nothing but finished documents lies in the folder" {
