@@ -58,13 +58,22 @@ int main(int argc, char** argv) {
   const std::string& source_path = command.input("source", "Hull maps of the source", false);
   const std::string& target_path = command.input("target", "Hull maps of the target", false);
   command.output();
+  HullToHullOptions options;
+  std::string method = "pull";
+  command.options()
+      .add_option("--method", method,
+                  "pull: by pulls that turn no facet over; energy: as in the paper, may fold")
+      ->check(CLI::IsMember({"pull", "energy"}))
+      ->capture_default_str();
   return command.run(argc, argv, [&] {
     const io::Document source = command.read(source_path, {"hullmap"});
     const io::Document target = command.read(target_path, {"hullmap"});
     const HullMap source_map = command.about(source_path, [&] { return io::read_hull_map(source); });
     const HullMap target_map = command.about(target_path, [&] { return io::read_hull_map(target); });
-    const HullToHull result = command.about(source_path + " and " + target_path,
-                                            [&] { return map_hull_to_hull(source_map, target_map); });
+    options.method = method == "energy" ? CrossMethod::energy : CrossMethod::pull;
+    const HullToHull result = command.about(source_path + " and " + target_path, [&] {
+      return map_hull_to_hull(source_map, target_map, options);
+    });
     for (const std::string& warning : result.warnings) command.warn(warning);
     command.write(io::to_document(result.map), {&source, &target}, metrics_of(result));
   });

@@ -65,7 +65,7 @@ void warn_of_parts(HullToHull& result) {
 
 }  // namespace
 
-HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target) {
+HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target, const HullToHullOptions& options) {
   require_compatible(source.hulled.model, target.hulled.model);
   const ModelPair pair = pair_models(source.hulled.model, target.hulled.model);
   HullToHull result{{pair.source, target, {}, {}, {}, pair.markers}, match_boundaries(pair), {}, {}, {}};
@@ -79,7 +79,7 @@ HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target) {
     const Eigen::Matrix3d upright = align_around(pair, {k}, alignment).linear();
     const PartToHull part(pair, source, target, result.boundary.placements, k,
                           upright / std::cbrt(upright.determinant()));
-    mapped[k] = part.run();
+    mapped[k] = part.run(options);
   });
 
   CrossMap& map = result.map;

@@ -5,8 +5,19 @@
 
 #include "mapping/boundary_correspondence.h"
 #include "mapping/domains.h"
+#include "mapping/map_by_energy.h"
 
 namespace partwise {
+
+enum class CrossMethod {
+  pull,   ///< pulls of growing weight that never turn a facet over
+  energy  ///< the paper's energy, which may
+};
+
+struct HullToHullOptions {
+  CrossMethod method = CrossMethod::pull;
+  EnergyMapOptions energy;  ///< for CrossMethod::energy, and for parts whose Q^s has folds
+};
 
 /// How one part came onto the target's hull.
 struct PartCrossing {
@@ -43,10 +54,13 @@ struct HullToHull {
 ///
 /// Each part is aligned by its fixed points (a linear map about the hulls' centres) and projected centrally,
 /// which keeps a one-to-one map one-to-one, then pulled into place without turning a facet over.
-/// Differs from [Wu11]: Eq. (7-14) in the least-squares sense fold facets over; here distortion against Q^s
-/// is minimised (pin_on_hull), and the boundary is met exactly. A part whose Q^s has folds already starts
-/// from there and is repaired as far as possible. \throws InputError when the models' parts or boundaries do
-/// not correspond.
-HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target);
+/// Differs from [Wu11]: whose energy, Eq. (7-14), folds facets over and meets the boundary nearly; here
+/// distortion against the undeformed part is minimised (pin_on_hull) and the boundary met exactly. With
+/// CrossMethod::energy, and for a part whose Q^s has folds already, the paper's energy is minimised, the
+/// result projected centrally, boundary and markers set in place, and folds undone as far as that succeeds.
+///
+/// \throws InputError when the models' parts or boundaries do not correspond.
+HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target,
+                            const HullToHullOptions& options = {});
 
 }  // namespace partwise

@@ -5,30 +5,19 @@
 #include <utility>
 
 #include "energy/convex_approximation.h"
-#include "energy/global_constraint.h"
-#include "energy/laplacian.h"
 #include "geometry/normals.h"
 #include "geometry/surface_index.h"
+#include "mapping/energy_phases.h"
 #include "mapping/repair_folds.h"
 #include "mapping/star_hull.h"
 #include "mapping/untangle_on_hull.h"
 #include "measure/hull_folds.h"
-#include "solve/least_squares.h"
 
 namespace partwise {
 namespace {
 
 /// A hollow less deep than this, over the part's diagonal, has no concave extreme point.
 constexpr double kLeastHollow = 0.02;
-
-/// The hull as the energy sees it.
-struct HullTarget {
-  SurfaceIndex index;
-  Points normals;
-
-  explicit HullTarget(const ConvexHull& hull)
-      : index(hull.points, hull.facets), normals(facet_normals(hull.points, hull.facets)) {}
-};
 
 /// Per vertex: the largest of its own value and its neighbours'.
 std::vector<double> largest_around(const VertexWeights& neighbours, const std::vector<double>& values) {
@@ -97,57 +86,12 @@ std::vector<VertexTarget> global_constraints(const Part& part, const ConvexHull&
   return constraints;
 }
 
-/// Normals of the shape as it is now; where one turns by more than 90 degrees at once, only half of the way:
-/// a facet that turns over for a moment must not send its vertices to the other side of the hull.
-void follow_normals(Points& normals, const Points& points, const Facets& facets) {
-  const Points current = vertex_normals(points, facets);
-  for (std::size_t v = 0; v < normals.size(); ++v) {
-    const Vec3 halfway = normals[v] + current[v];
-    if (current[v].dot(normals[v]) >= 0) {
-      normals[v] = current[v];
-    } else if (halfway.norm() > 0.1) {
-      normals[v] = halfway.normalized();
-    }
-  }
-}
-
 /// The sum of Eq. (13) with w_c growing step by step.
-Points minimise_energy(const Part& part, const ConvexHull& hull, const HullTarget& target,
-                       const EnergyMapOptions& options) {
+Points minimise_part_energy(const Part& part, const ConvexHull& hull, const HullTarget& target,
+                            const EnergyMapOptions& options) {
   const TriMesh& mesh = part.mesh;
-  const int n = mesh.vertex_count();
-  const VertexWeights weights = options.laplacian == LaplacianKind::mean_value
-                                    ? mean_value_weights(mesh.points(), mesh.facets())
-                                    : uniform_weights(n, mesh.facets());
-  const EnergyTerm laplacian = laplacian_term(weights);
-  const std::vector<VertexTarget> constraints = global_constraints(part, hull, weights, target);
-  const EnergyTerm global = global_constraint_term(n, constraints);
-  const std::vector<double> areas = ring_areas(mesh.points(), mesh.facets());
-  std::vector<bool> constrained(n, false);
-  for (const VertexTarget& constraint : constraints) constrained[constraint.vertex] = true;
-  std::vector<int> free;
-  for (int v = 0; v < n; ++v) {
-    if (!constrained[v]) free.push_back(v);
-  }
-
-  LeastSquares system(n);
-  system.add(1, laplacian);
-  system.add(options.global_weight, global);
-  Points points = system.minimise();
-  Points normals = vertex_normals(points, mesh.facets());
-  for (int step = 0; step < options.steps; ++step) {
-    const double along = options.steps > 1 ? static_cast<double>(step) / (options.steps - 1) : 1;
-    const double convex_weight =
-        options.first_convex_weight + along * (options.last_convex_weight - options.first_convex_weight);
-    follow_normals(normals, points, mesh.facets());
-    const auto approaches = approach_hull(free, points, normals, target.index, target.normals);
-    system.clear();
-    system.add(1, laplacian);                                                                  // Eq. (7-9)
-    system.add(options.global_weight, global);                                                 // Eq. (12)
-    system.add(convex_weight, convex_approximation_term(approaches, areas, mesh.diagonal()));  // Eq. (10-11)
-    points = system.minimise();
-  }
-  return points;
+  const VertexWeights weights = laplacian_weights(mesh, options.laplacian);
+  return minimise_energy(mesh, weights, target, global_constraints(part, hull, weights, target), {}, options);
 }
 
 /// Positions relative to the hull's centre, one per vertex, on the hull.
@@ -189,7 +133,7 @@ Projected repaired(const Part& part, const Projected& map, const StarHull& hull)
 EnergyMap map_by_energy(const Part& part, const ConvexHull& hull, const EnergyMapOptions& options) {
   const HullTarget target(hull);
   const Vec3 centre = hull_centre(hull);
-  Points points = minimise_energy(part, hull, target, options);
+  Points points = minimise_part_energy(part, hull, target, options);
   EnergyMap result;
   for (Vec3& p : points) {
     result.off_hull = std::max(result.off_hull, target.index.closest(p).distance);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mapping/energy_phases.h"
 #include "mapping/hull_alignment.h"
 #include "mapping/untangle_on_hull.h"
 #include "measure/hull_folds.h"
@@ -162,22 +163,56 @@ bool PartToHull::is_in_place(const std::vector<Pin>& markers) const {
   return std::all_of(pins_.begin(), pins_.end(), met) && std::all_of(markers.begin(), markers.end(), met);
 }
 
-PinnedMap PartToHull::pinned(const Points& start, const std::vector<Pin>& pins) const {
-  std::vector<Pin> all = pins_;
-  all.insert(all.end(), pins.begin(), pins.end());
-  if (hull_folds(start, source_.mesh.facets(), Vec3::Zero()).count() == 0) {
-    return pin_on_hull(source_.mesh, weights_, hull_, start, all, kept_);
+/// [Wu11] Eq. (7-14) on the target's hull: G are the markers, the centres of caps and, weakly, where the
+/// aligned start has the vertices of the source's hull. The part is brought to the target's size, so that
+/// units do not matter.
+Points PartToHull::energy_start(const std::vector<Pin>& markers, const EnergyMapOptions& options) const {
+  constexpr double kHullVertexWeight = 0.1;
+  std::vector<VertexTarget> global, boundary;
+  std::vector<bool> known(start_.size(), false);
+  for (const Pin& pin : pins_) {
+    (source_.is_cap_vertex(pin.vertex) ? global : boundary).push_back({pin.vertex, pin.goal});
+    known[pin.vertex] = true;
   }
-  std::vector<bool> fixed(start.size(), false);
+  for (const Pin& pin : markers) {
+    global.push_back({pin.vertex, pin.goal});
+    known[pin.vertex] = true;
+  }
+  for (const int v : source_hull_.part_vertex) {
+    if (!known[v]) global.push_back({v, start_[v], kHullVertexWeight});
+  }
+  ConvexHull hull = target_hull_;
+  hull.points = about(target_hull_.points, target_centre_);
+  Points points = source_.mesh.points();
+  const double scale = bounding_box_diagonal(hull.points) / source_.mesh.diagonal();
+  for (Vec3& point : points) point *= scale;
+  const TriMesh part = source_.mesh.with_points(std::move(points));
+  Points result = minimise_energy(part, laplacian_weights(part, options.laplacian), HullTarget(hull), global,
+                                  boundary, options);
+  for (Vec3& point : result) {
+    if (point.isZero(0)) point = Vec3::UnitX();  // the centre has no direction; any place will do
+    point = hull_.project(point, 0).position;
+  }
+  return result;
+}
+
+PinnedMap PartToHull::pinned(const std::vector<Pin>& markers, const HullToHullOptions& options) const {
+  std::vector<Pin> all = pins_;
+  all.insert(all.end(), markers.begin(), markers.end());
+  const Facets& facets = source_.mesh.facets();
+  if (options.method == CrossMethod::pull && hull_folds(start_, facets, Vec3::Zero()).count() == 0) {
+    return pin_on_hull(source_.mesh, weights_, hull_, start_, all, kept_);
+  }
   PinnedMap result;
-  result.images = start;
+  result.images = energy_start(markers, options.energy);
+  std::vector<bool> fixed(start_.size(), false);
   for (const Pin& pin : all) {
     fixed[pin.vertex] = true;
     result.images[pin.vertex] = pin.goal;
   }
   result.images = untangle_on_hull(source_.mesh, hull_, result.images, fixed).images;
   for (const Pin& pin : all) result.images[pin.vertex] = pin.goal;
-  result.folds = hull_folds(result.images, source_.mesh.facets(), Vec3::Zero()).count();
+  result.folds = hull_folds(result.images, facets, Vec3::Zero()).count();
   return result;
 }
 
@@ -192,7 +227,7 @@ int PartToHull::free_folds(const Points& images) const {
   }));
 }
 
-PartToHull::Result PartToHull::run() const {
+PartToHull::Result PartToHull::run(const HullToHullOptions& options) const {
   Result result;
   PartCrossing& crossing = result.crossing;
   const Facets& facets = source_.mesh.facets();
@@ -209,10 +244,10 @@ PartToHull::Result PartToHull::run() const {
     map.folds = crossing.folds_before;
     map.distortion = 1;
   } else {
-    map = pinned(start_, markers);
+    map = pinned(markers, options);
   }
   if (free_folds(map.images) > 0 && !markers.empty()) {
-    PinnedMap loose = pinned(start_, {});
+    PinnedMap loose = pinned({}, options);
     if (free_folds(loose.images) < free_folds(map.images)) {
       map = std::move(loose);
       crossing.markers_held = false;

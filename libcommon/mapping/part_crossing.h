@@ -21,7 +21,7 @@ class PartToHull {
     PartCrossing crossing;
     std::vector<double> marker_distances;  ///< per marker constraint of this part, in units of the model
   };
-  Result run() const;
+  Result run(const HullToHullOptions& options) const;
 
  private:
   /// A marker of this part: its point in local facets of both parts, and where it belongs.
@@ -38,7 +38,8 @@ class PartToHull {
   Vec3 marker_image(const LocalMarker& marker, const Points& images) const;
   int free_folds(const Points& images) const;
   bool is_in_place(const std::vector<Pin>& markers) const;
-  PinnedMap pinned(const Points& start, const std::vector<Pin>& pins) const;
+  PinnedMap pinned(const std::vector<Pin>& markers, const HullToHullOptions& options) const;
+  Points energy_start(const std::vector<Pin>& markers, const EnergyMapOptions& options) const;
 
   const ModelPair& pair_;
   const Part& source_;

@@ -39,6 +39,13 @@ END
   cmp first.pipe second.pipe
 }
 
+@test "the paper's energy is in the history" {
+  hull_map source 6 front back
+  hull_map target 8 front back
+  hull-to-hull -q --method energy source.ply target.ply -o crossmap.ply
+  jq -e '.history[-1].arguments.method == "energy"' crossmap.json
+}
+
 @test "different parts are refused by name" {
   hull_map source 6 front back
   hull_map target 6 front tail

@@ -151,6 +151,25 @@ TEST(HullToHull, OpenMeshes) {
   expect_one_to_one(result);
 }
 
+TEST(HullToHull, ThePapersEnergyEndsOnTheHullWithItsBoundaryInPlace) {
+  const HullMap source = hull_map(octant_model(tests::lumpy_sphere(7), 2));
+  const HullMap target = hull_map(octant_model(tests::cube(6), 2));
+  HullToHullOptions options;
+  options.method = CrossMethod::energy;
+  const HullToHull energy = map_hull_to_hull(source, target, options);
+  const HullToHull pull = map_hull_to_hull(source, target);
+  for (std::size_t k = 0; k < energy.map.images.size(); ++k) {
+    const Points& images = energy.map.images[k];
+    const double l = target.hulled.parts[k].mesh.diagonal();
+    for (const double d : distances_to_hull(target.hulled.hulls[k], images)) EXPECT_LT(d, 1e-9 * l);
+    for (const std::vector<int>& loop : energy.map.source_parts[k].loops) {
+      for (const int v : loop) EXPECT_LT((images[v] - pull.map.images[k][v]).norm(), 1e-12 * l);
+    }
+    EXPECT_NEAR(energy.parts[k].degree, 1, 1e-9);
+    EXPECT_LT(energy.parts[k].folds, 5);
+  }
+}
+
 TEST(HullToHull, AFoldedHullMapIsRepaired) {
   const HullMap good = hull_map(octant_model(tests::lumpy_sphere(8), 1));
   HullMap folded = good;
