@@ -16,7 +16,8 @@ $(if $(OUT),,$(error OUT is not given; say OUT=folder of a pair))
 
 model_panels = mesh=$(1).segment.ply $(1).segment.ply $(1).hull.ply $(1).hullmap.ply
 panels := $(call model_panels,$(SOURCE_MODEL)) $(OUT)/crossmap.ply $(call model_panels,$(TARGET_MODEL)) $(OUT)/compatible.ply
-views := $(foreach i,1 2 3 4,$(SOURCE_VIEW)) $(foreach i,1 2 3 4 5 6,$(TARGET_VIEW))
+views := $(if $(filter-out auto,$(SOURCE_VIEW) $(TARGET_VIEW)),$(foreach i,1 2 3 4,$(SOURCE_VIEW)) $(foreach \
+  i,1 2 3 4 5 6,$(TARGET_VIEW)))
 
 # POV-Ray may read and write in the folder where it runs, not everywhere.
 $(OUT)/picture.png: $(OUT)/picture.pov
