@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cstring>
+#include <iomanip>
+#include <sstream>
 
 #include "cli/command.h"
 #include "error.h"
@@ -7,6 +9,7 @@
 #include "io/stage_documents.h"
 #include "segmentation/compatibility.h"
 #include "segmentation/segment_mesh.h"
+#include "segmentation/transfer_labels.h"
 
 namespace {
 
@@ -15,6 +18,7 @@ using namespace partwise;
 constexpr const char* kSynopsis = "Cut a mesh into the parts of a sketch, or check that segmentations match.";
 constexpr const char* kExample =
     "segment cat.ply --sketch cat.sketch.json -o cat.segment.ply\n"
+    "  segment cat-02.ply --labels-from cat.segment.ply -o cat-02.segment.ply\n"
     "  segment --check cat.segment.ply lion.segment.ply";
 
 io::Json metrics_of(const SegmentedMesh& segmented) {
@@ -32,12 +36,42 @@ io::Json metrics_of(const SegmentedMesh& segmented) {
           {"largest_concavity", concavity}};
 }
 
+/// Takes the parts over from another segment document, with the landmarks of the sketch, if there is one.
+void take_over(cli::Command& command, const io::Document& document, const std::string& about,
+               const std::string& labels_path, const Sketch& sketch, const TransferOptions& options) {
+  const io::Document labels = command.read(labels_path, {"segment"});
+  command.note_input(io::digest(labels), labels.metadata.at("schema").get<std::string>());
+  const SegmentedModel from = command.about(labels_path, [&] { return io::read_segmented_model(labels); });
+  const bool has_strokes = std::any_of(sketch.parts.begin(), sketch.parts.end(),
+                                       [](const SketchedPart& part) { return !part.strokes.empty(); });
+  if (has_strokes) command.warn("the sketch's strokes are not used: the parts come from " + labels_path);
+  const TransferredSegmentation result =
+      command.about(about, [&] { return transfer_labels(io::read_mesh(document), from, sketch, options); });
+  for (const std::string& warning : result.segmented.warnings) command.warn(warning);
+  io::Json metrics = metrics_of(result.segmented);
+  metrics["labels"] = {{"copied", result.copied},
+                       {"moved_area", result.moved_area},
+                       {"mean_distance", result.mean_distance},
+                       {"largest_distance", result.largest_distance}};
+  std::ostringstream said;
+  said << std::setprecision(3);
+  if (result.copied) {
+    said << "equal connectivity: labels, markers and anchors are copied";
+  } else {
+    said << "different connectivity: " << 100 * result.moved_area
+         << " % of the area has another part than the closest facet";
+  }
+  command.inform(said.str());
+  command.write(io::to_document(result.segmented.model), {&document}, metrics);
+}
+
 int cut(int argc, char** argv) {
   cli::Command command("segment", kSynopsis, kExample);
   const std::string& input = command.input("mesh", "Mesh document");
   command.output();
-  SegmentationOptions options;
-  std::string sketch_path, method = "walker";
+  TransferOptions transfer;
+  SegmentationOptions& options = transfer.usual;
+  std::string labels_path, sketch_path, method = "walker";
   bool asks_check = false;  // never set: check() answers
   command.options()
       .add_option("-s,--sketch", sketch_path, "Strokes, markers, anchors; without it the mesh is one part")
@@ -55,6 +89,17 @@ int cut(int argc, char** argv) {
       .add_option("--snap-limit", options.snap_limit,
                   "How far points of the sketch may lie from the surface, over the diagonal")
       ->check(CLI::NonNegativeNumber);
+  CLI::Option* const labels_from =
+      command.options()
+          .add_option("--labels-from", labels_path,
+                      "Segment document whose parts, markers and anchors to take over: copied when the "
+                      "connectivity is equal, else from the closest facets; --sketch may add markers and "
+                      "anchors, or replace those of equal name")
+          ->type_name("FILE");
+  command.options()
+      .add_flag("--align-boxes", transfer.align_boxes,
+                "With --labels-from: first bring the bounding box of its mesh onto this one's")
+      ->needs(labels_from);
   command.options().add_flag("--check", asks_check,
                              "Compare segment documents instead: segment --check A B [C ...]");
   return command.run(argc, argv, [&] {
@@ -63,9 +108,13 @@ int cut(int argc, char** argv) {
     options.method = method == "growth" ? SegmentationMethod::growth : SegmentationMethod::walker;
     const bool has_sketch = !sketch_path.empty();
     const std::string text = has_sketch ? command.read_text(sketch_path, "partwise/sketch-1") : "";
-    const SegmentedMesh segmented = command.about(has_sketch ? sketch_path : input, [&] {
-      return segment_mesh(mesh, has_sketch ? io::parse_sketch(text) : Sketch(), options);
-    });
+    const std::string& about = has_sketch ? sketch_path : input;
+    const Sketch sketch =
+        command.about(about, [&] { return has_sketch ? io::parse_sketch(text) : Sketch(); });
+    if (!labels_path.empty()) {
+      return take_over(command, document, about, labels_path, sketch, transfer);
+    }
+    const SegmentedMesh segmented = command.about(about, [&] { return segment_mesh(mesh, sketch, options); });
     for (const std::string& warning : segmented.warnings) command.warn(warning);
     command.write(io::to_document(segmented.model), {&document}, metrics_of(segmented));
   });

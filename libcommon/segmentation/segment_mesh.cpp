@@ -72,31 +72,39 @@ RepairedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>&
 
 }  // namespace
 
-SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options) {
-  require_size(mesh, sketch);
-  const std::vector<std::string> names = part_names(sketch);
+SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
+                                    const SegmentationOptions& options) {
+  require_size(mesh, landmarks);
+  Segmentation segmentation = trace_boundaries(mesh, part_names(landmarks), std::move(repaired.labels));
   SurfacePlaces places(mesh, options.snap_limit);
-  RepairedLabels repaired = label_facets(mesh, names, seed_strokes(sketch, places), options);
-  Segmentation segmentation = trace_boundaries(mesh, names, std::move(repaired.labels));
-  std::vector<Marker> markers = place_markers(sketch, places);
-  std::vector<Anchor> anchors = place_anchors(mesh, segmentation, sketch, places);
+  std::vector<Marker> markers = place_markers(landmarks, places);
+  std::vector<Anchor> anchors = place_anchors(mesh, segmentation, landmarks, places);
   std::vector<Concavity> concavity = measure_concavity(mesh, segmentation);
   std::vector<std::string> warnings = decomposition_hints(segmentation, concavity, options.tau);
   for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
     warnings.push_back(std::move(sentence));
-  }
-  if (options.method == SegmentationMethod::walker && names.size() > 1 &&
-      mesh.facet_count() > options.largest_cut) {
-    warnings.push_back(
-        "boundaries are as the random walks leave them: straightening them is for meshes of at "
-        "most " +
-        std::to_string(options.largest_cut) + " facets");
   }
   return {{mesh, std::move(segmentation), std::move(markers), std::move(anchors), std::move(concavity)},
           std::move(warnings),
           repaired.merged_islands,
           repaired.removed_pinches,
           repaired.changed_facets};
+}
+
+SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options) {
+  require_size(mesh, sketch);
+  const std::vector<std::string> names = part_names(sketch);
+  SurfacePlaces places(mesh, options.snap_limit);
+  SegmentedMesh result = assemble_segmentation(
+      mesh, label_facets(mesh, names, seed_strokes(sketch, places), options), sketch, options);
+  if (options.method == SegmentationMethod::walker && names.size() > 1 &&
+      mesh.facet_count() > options.largest_cut) {
+    result.warnings.push_back(
+        "boundaries are as the random walks leave them: straightening them is for meshes of at "
+        "most " +
+        std::to_string(options.largest_cut) + " facets");
+  }
+  return result;
 }
 
 }  // namespace partwise

@@ -5,6 +5,7 @@
 
 #include "mesh/segmentation.h"
 #include "segmentation/band_cut.h"
+#include "segmentation/label_repair.h"
 #include "segmentation/sketch.h"
 
 namespace partwise {
@@ -43,5 +44,11 @@ struct SegmentedMesh {
 ///         component of the mesh has no stroke, a part would be empty; ComputationError naming the vertex
 ///         where boundaries cannot be made simple.
 SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options);
+
+/// The last steps of segment_mesh: boundaries, markers, anchors and hints of facets that have their labels.
+/// \param landmarks names the parts, in the order of the labels, and the markers and anchors
+/// \throws InputError as segment_mesh
+SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
+                                    const SegmentationOptions& options);
 
 }  // namespace partwise

@@ -1,4 +1,4 @@
-// Writes a mesh of known shape: sample_mesh capsule|torus|two-spheres OUT.ply
+// Writes a mesh of known shape: sample_mesh capsule|fine-capsule|torus|two-spheres OUT.ply
 // or prints the part of every facet: sample_mesh labels SEGMENTED.ply
 #include <iostream>
 #include <string>
@@ -23,6 +23,7 @@ TriMesh two_spheres() {
 
 TriMesh mesh_called(const std::string& name) {
   if (name == "capsule") return tests::capsule(4, 24, 45);
+  if (name == "fine-capsule") return tests::capsule(4, 31, 70);
   if (name == "torus") return tests::torus(3, 1, 24, 12);
   if (name == "two-spheres") return two_spheres();
   throw UsageError("unknown shape " + name);

@@ -125,3 +125,33 @@ fails() {
   [ "$output" = "" ]
   cmp one.ply two.ply
 }
+
+@test "--labels-from copies to equal connectivity, and adds landmarks" {
+  sketch full '"markers": [{"name": "m", "vertex": 5}], "anchors": [{"name": "a", "between": ["south", "north"], "vertex": 500}]' \
+    <<<'{"name": "south", "strokes": [{"vertices": [0, 60]}]}, {"name": "north", "strokes": [{"vertices": [1057, 1000]}]}'
+  segment capsule.ply --sketch full.sketch.json -o from.ply
+  run segment capsule.ply --labels-from from.ply -o to.ply --verbose
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"equal connectivity: labels, markers and anchors are copied"* ]]
+  segment --check from.ply to.ply
+  cmp <(sample_mesh labels from.ply) <(sample_mesh labels to.ply)
+  jq -e '.metrics.segment.labels | .copied and .moved_area == 0' to.json
+  jq -e '(.history[-1].inputs | length) == 2' to.json
+  [ "$(jq -c '[.markers, [.anchors[].vertex]]' from.json)" = "$(jq -c '[.markers, [.anchors[].vertex]]' to.json)" ]
+  printf '{"schema": "partwise/sketch-1", "markers": [{"name": "m", "vertex": 9}, {"name": "n", "vertex": 8}]}' >more.sketch.json
+  segment capsule.ply --labels-from from.ply --sketch more.sketch.json -o more.ply
+  jq -e '[.markers[].name] == ["m", "n"] and (.anchors | length) == 1' more.json
+  run segment capsule.ply --labels-from from.ply --sketch good.sketch.json -o strokes.ply
+  [[ "$output" == *"warning: the sketch's strokes are not used"* ]]
+}
+
+@test "--labels-from carries parts to other triangles in the same place, and refuses other shapes" {
+  sample_mesh fine-capsule fine.ply
+  segment capsule.ply --sketch good.sketch.json -o from.ply
+  segment fine.ply --labels-from from.ply -o to.ply
+  segment --check from.ply to.ply
+  jq -e '.metrics.segment.labels | (.copied | not) and .moved_area < 0.03' to.json
+  fails 3 "torus.ply: the mesh lies" segment torus.ply --labels-from from.ply -o out.ply
+  fails 3 "kind mesh" segment fine.ply --labels-from capsule.ply -o out.ply
+  fails 2 "" segment fine.ply --align-boxes -o out.ply
+}
