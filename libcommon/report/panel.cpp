@@ -66,9 +66,9 @@ Panel parts_panel(const SegmentedModel& model) {
   panel.view = automatic_view(model.mesh.points());
   const std::vector<Color> of_part = part_colors(model.segmentation.names);
   const std::vector<int> band = bands(model.mesh);
-  std::vector<Color> colors;
+  std::vector<Color> colors(model.mesh.facet_count());
   for (int f = 0; f < model.mesh.facet_count(); ++f) {
-    colors.push_back(banded(of_part[model.segmentation.labels[f]], band[f]));
+    colors[f] = banded(of_part[model.segmentation.labels[f]], band[f]);
   }
   append(panel, model.mesh.points(), model.mesh.facets(), colors);
   return panel;
@@ -119,9 +119,9 @@ Panel compatible_panel(const CompatibleMesh& mesh) {
   panel.view = automatic_view(mesh.target.points());
   const std::vector<Color> of_part = part_colors(mesh.part_names);
   const std::vector<int> band = bands(mesh.source);
-  std::vector<Color> colors;
+  std::vector<Color> colors(mesh.source.facet_count());
   for (int f = 0; f < mesh.source.facet_count(); ++f) {
-    colors.push_back(banded(of_part[mesh.source_labels[f]], band[f]));
+    colors[f] = banded(of_part[mesh.source_labels[f]], band[f]);
   }
   append(panel, mesh.points, mesh.source.facets(), colors);
   return panel;

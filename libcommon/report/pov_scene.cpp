@@ -129,8 +129,9 @@ std::string pov_scene(const std::vector<Panel>& panels, const SceneOptions& opti
     if (panels[i].facets.empty()) {
       throw InputError("panel \"" + panels[i].caption + "\" has no facets to show");
     }
+    const std::size_t row = i / options.columns;
     const double x = static_cast<double>(i % options.columns);
-    const double y = -static_cast<double>(i / options.columns) * kCellHeight;
+    const double y = -static_cast<double>(row) * kCellHeight;
     write_mesh(out, panels[i], fitted(panels[i], x, y));
     write_caption(out, panels[i].caption, x, y);
   }
