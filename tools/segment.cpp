@@ -7,6 +7,7 @@
 #include "error.h"
 #include "io/sketch.h"
 #include "io/stage_documents.h"
+#include "mesh/curve_roughness.h"
 #include "segmentation/compatibility.h"
 #include "segmentation/segment_mesh.h"
 #include "segmentation/transfer_labels.h"
@@ -32,6 +33,7 @@ io::Json metrics_of(const SegmentedMesh& segmented) {
           {"merged_islands", segmented.merged_islands},
           {"removed_pinches", segmented.removed_pinches},
           {"changed_facets", segmented.changed_facets},
+          {"mean_roughness", mean_roughness(model.mesh, model.segmentation)},
           {"largest_snap_distance", snap / model.mesh.diagonal()},
           {"largest_concavity", concavity}};
 }

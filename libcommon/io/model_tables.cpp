@@ -8,6 +8,7 @@
 #include "geometry/normals.h"
 #include "io/table_builder.h"
 #include "io/table_reader.h"
+#include "mesh/curve_roughness.h"
 
 namespace partwise::io {
 namespace {
@@ -56,13 +57,14 @@ Json part_facts(const SegmentedModel& model) {
   return parts;
 }
 
-Json curve_facts(const Segmentation& segmentation) {
+Json curve_facts(const TriMesh& mesh, const Segmentation& segmentation) {
   Json curves = Json::array();
   for (const BoundaryCurve& curve : segmentation.curves) {
     curves.push_back({{"left", part_name(segmentation, curve.left)},
                       {"right", part_name(segmentation, curve.right)},
                       {"closed", curve.closed},
-                      {"length", curve.length}});
+                      {"length", curve.length},
+                      {"roughness", curve_roughness(mesh, curve)}});
   }
   return curves;
 }
@@ -94,7 +96,7 @@ Json adjacency_facts(const Segmentation& segmentation) {
 /// What follows from mesh, names and labels alone.
 Json derived_facts(const SegmentedModel& model) {
   return {{"parts", part_facts(model)},
-          {"curves", curve_facts(model.segmentation)},
+          {"curves", curve_facts(model.mesh, model.segmentation)},
           {"cross_points", cross_point_facts(model.segmentation)},
           {"adjacency", adjacency_facts(model.segmentation)}};
 }

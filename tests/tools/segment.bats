@@ -29,6 +29,8 @@ fails() {
   segment capsule.ply --sketch good.sketch.json -o out.ply
   jq -e '.schema == "partwise/segment-1" and .history[-1].tool == "segment"' out.json
   jq -e '.metrics.segment | .parts == 2 and .curves == 1 and .cross_points == 0' out.json
+  jq -e '.curves[0].roughness > 1 and .curves[0].roughness < 1.2' out.json
+  jq -e '(.metrics.segment.mean_roughness - .curves[0].roughness) | fabs < 1e-9' out.json
 }
 
 @test "the same bytes on every run, by file and by pipe" {
