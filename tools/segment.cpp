@@ -29,6 +29,8 @@ io::Json metrics_of(const SegmentedMesh& segmented) {
   for (const Concavity& part : model.concavity) concavity = std::max(concavity, part.largest);
   return {{"parts", model.segmentation.part_count()},
           {"curves", model.segmentation.curves.size()},
+          {"proposed_anchors", std::count_if(model.anchors.begin(), model.anchors.end(),
+                                             [](const Anchor& a) { return a.proposed; })},
           {"cross_points", model.segmentation.cross_points.size()},
           {"merged_islands", segmented.merged_islands},
           {"removed_pinches", segmented.removed_pinches},
@@ -102,6 +104,10 @@ int cut(int argc, char** argv) {
       .add_flag("--align-boxes", transfer.align_boxes,
                 "With --labels-from: first bring the bounding box of its mesh onto this one's")
       ->needs(labels_from);
+  command.options().add_flag(
+      "--propose-anchors", options.propose_anchors,
+      "Write two anchors for each closed boundary with fewer than two, marked as "
+      "proposed: for you to judge and copy into the sketch; hull-to-hull leaves them out");
   command.options().add_flag("--check", asks_check,
                              "Compare segment documents instead: segment --check A B [C ...]");
   return command.run(argc, argv, [&] {

@@ -145,6 +145,13 @@ void add_markers_on_curves(ModelPair& pair) {
   }
 }
 
+/// Proposals are for people to judge: they decide no correspondence.
+std::vector<Anchor> given_anchors(const SegmentedModel& model) {
+  std::vector<Anchor> anchors = model.anchors;
+  std::erase_if(anchors, [](const Anchor& anchor) { return anchor.proposed; });
+  return anchors;
+}
+
 /// Per part: centroid of its surface.
 Points part_centroids(const SegmentedModel& model) {
   const Segmentation& segmentation = model.segmentation;
@@ -196,7 +203,7 @@ int ModelPair::in_target(int part_of_source) const {
 ModelPair pair_models(const SegmentedModel& source, const SegmentedModel& target) {
   ModelPair pair{source, target, {}, {}, {}, {}, {}, {}};
   pair_parts(pair);
-  pair_by_name(source.anchors, target.anchors, "anchor", pair.warnings,
+  pair_by_name(given_anchors(source), given_anchors(target), "anchor", pair.warnings,
                [&](const Anchor& s, const Anchor& t) {
                  pair.anchors.push_back({s.name, s.vertex, t.vertex, false});
                });

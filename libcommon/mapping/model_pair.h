@@ -41,7 +41,7 @@ struct ModelPair {
 /// Pairs parts, anchors and markers by name.
 ///
 /// Markers and anchors named on one model only, and markers that lie in different parts, are reported in
-/// `warnings`; a marker on a part boundary belongs to all parts around it.
+/// `warnings`; a marker on a part boundary belongs to all parts around it. Proposed anchors are left out.
 /// \throws InputError naming the parts that only one model has.
 ModelPair pair_models(const SegmentedModel& source, const SegmentedModel& target);
 

@@ -73,6 +73,7 @@ Facts facts_of(const SegmentedModel& model, bool is_only_part) {
     ++facts.cross_points[smallest_rotation(std::move(word))];
   }
   for (const Anchor& anchor : model.anchors) {
+    if (anchor.proposed) continue;  // decides nothing
     facts.anchors[anchor.name] = sorted_pair(name(anchor.part_a), name(anchor.part_b));
   }
   for (const Marker& marker : model.markers) facts.markers.insert(marker.name);

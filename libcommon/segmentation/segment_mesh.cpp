@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "error.h"
+#include "segmentation/anchor_proposals.h"
 #include "segmentation/concavity.h"
 #include "segmentation/crease_field.h"
 #include "segmentation/growth.h"
@@ -83,6 +84,10 @@ SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired
   std::vector<std::string> warnings = decomposition_hints(segmentation, concavity, options.tau);
   for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
     warnings.push_back(std::move(sentence));
+  }
+  if (options.propose_anchors) {
+    const std::vector<Anchor> proposals = propose_anchors(mesh, segmentation, markers, anchors);
+    anchors.insert(anchors.end(), proposals.begin(), proposals.end());
   }
   return {{mesh, std::move(segmentation), std::move(markers), std::move(anchors), std::move(concavity)},
           std::move(warnings),

@@ -20,8 +20,9 @@ struct SegmentationOptions {
   BandCutOptions band_cut;
   int largest_cut =
       200'000;  ///< facets of the largest mesh whose boundaries are cut: beyond, it takes minutes
-  double snap_limit = 0.05;  ///< how far sketched points may lie from the surface, over the diagonal
-  double tau = 0.1;          ///< concavity above which a part should be decomposed further, over the diagonal
+  double snap_limit = 0.05;      ///< how far sketched points may lie from the surface, over the diagonal
+  bool propose_anchors = false;  ///< adds anchors marked as proposed, see anchor_proposals.h
+  double tau = 0.1;  ///< concavity above which a part should be decomposed further, over the diagonal
 };
 
 /// A segmented model, and what making it took.

@@ -124,6 +124,7 @@ Sketch landmarks_of(const SegmentedModel& model, const TriMesh& placed, bool cop
     sketch.markers.push_back({marker.name, place});
   }
   for (const Anchor& anchor : model.anchors) {
+    if (anchor.proposed) continue;  // proposed anew, if at all
     const Place place = copied ? Place(anchor.vertex) : Place(placed.point(anchor.vertex));
     const auto& names = model.segmentation.names;
     sketch.anchors.push_back({anchor.name, {names[anchor.part_a], names[anchor.part_b]}, place});
@@ -149,16 +150,6 @@ void require_known_parts(const Segmentation& segmentation, const Sketch& additio
   for (const SketchedPart& part : additions.parts) {
     if (part_index(segmentation, part.name) >= 0) continue;
     throw InputError("part '" + part.name + "' is not among the parts of the labels; name only theirs");
-  }
-}
-
-void keep_proposals(const SegmentedModel& from, const Sketch& additions, std::vector<Anchor>& anchors) {
-  for (Anchor& anchor : anchors) {
-    const bool is_new = std::any_of(additions.anchors.begin(), additions.anchors.end(),
-                                    [&](const SketchedAnchor& a) { return a.name == anchor.name; });
-    anchor.proposed = !is_new && std::any_of(from.anchors.begin(), from.anchors.end(), [&](const Anchor& a) {
-      return a.name == anchor.name && a.proposed;
-    });
   }
 }
 
@@ -207,9 +198,7 @@ TransferredSegmentation transfer_labels(const TriMesh& mesh, const SegmentedMode
   add(landmarks.anchors, additions.anchors);
   landmarks.mesh = additions.mesh;
   auto assembled = [&](RepairedLabels repaired) {
-    SegmentedMesh segmented = assemble_segmentation(mesh, std::move(repaired), landmarks, options.usual);
-    keep_proposals(from, additions, segmented.model.anchors);
-    return segmented;
+    return assemble_segmentation(mesh, std::move(repaired), landmarks, options.usual);
   };
   if (copied) {
     RepairedLabels labels;

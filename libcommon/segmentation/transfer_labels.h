@@ -40,9 +40,10 @@ struct TransferredSegmentation {
 /// With equal connectivity (all poses of one mesh) they are copied. Otherwise every facet takes the part of
 /// the closest facets; facets that straddle a boundary take the part that makes it short (see cut_band), then
 /// labels are repaired (see repair_labels). Markers go to the closest surface points, anchors to the nearest
-/// curve vertices. Meshes are compared where they are, except under `align_boxes`; closeness is in space, so
-/// where two sheets nearly touch, islands of the wrong part may have to be repaired.
-/// \param additions its markers and anchors are added, and replace those of equal name; its strokes say
+/// curve vertices; proposed anchors are not taken over. Meshes are compared where they are, except under
+/// `align_boxes`; closeness is in space, so where two sheets nearly touch, islands of the wrong part may have
+/// to be repaired. \param additions its markers and anchors are added, and replace those of equal name; its
+/// strokes say
 ///        nothing here
 /// \throws InputError when the meshes do not lie on each other, a part gets no facet, `additions` names a
 ///         part that there is not, or a landmark has no place; ComputationError as segment_mesh

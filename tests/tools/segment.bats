@@ -157,3 +157,14 @@ fails() {
   fails 3 "kind mesh" segment fine.ply --labels-from capsule.ply -o out.ply
   fails 2 "" segment fine.ply --align-boxes -o out.ply
 }
+
+@test "--propose-anchors writes proposals that decide nothing" {
+  sketch marked '"markers": [{"name": "navel", "point": [0, 1, 0.4]}]' \
+    <<<'{"name": "south", "strokes": [{"vertices": [0, 60]}]}, {"name": "north", "strokes": [{"vertices": [1057, 1000]}]}'
+  segment capsule.ply --sketch marked.sketch.json --propose-anchors -o a.ply
+  jq -e '[.anchors[] | .proposed] == [true, true] and .metrics.segment.proposed_anchors == 2' a.json
+  jq -e '.anchors[0].name == "north-south near navel (proposed)"' a.json
+  segment capsule.ply --sketch marked.sketch.json -o b.ply
+  jq -e '.anchors == []' b.json
+  segment --check a.ply b.ply
+}
