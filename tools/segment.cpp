@@ -75,7 +75,7 @@ int cut(int argc, char** argv) {
   command.output();
   TransferOptions transfer;
   SegmentationOptions& options = transfer.usual;
-  std::string labels_path, sketch_path, method = "walker";
+  std::string labels_path, sketch_path, method = "walker", refines = "on";
   bool asks_check = false;  // never set: check() answers
   command.options()
       .add_option("-s,--sketch", sketch_path, "Strokes, markers, anchors; without it the mesh is one part")
@@ -85,6 +85,10 @@ int cut(int argc, char** argv) {
           "--method", method,
           "walker: random walks, boundaries straightened; growth: cheapest step first, as in the paper")
       ->check(CLI::IsMember({"walker", "growth"}));
+  command.options()
+      .add_option("--refine-boundaries", refines,
+                  "With --method growth: on straightens the boundaries, off leaves them as they grew")
+      ->check(CLI::IsMember({"on", "off"}));
   command.options()
       .add_option("--tau", options.tau,
                   "Hint to decompose parts whose concavity exceeds this, over the diagonal")
@@ -114,6 +118,7 @@ int cut(int argc, char** argv) {
     const io::Document document = command.read(input, {"mesh"});
     const TriMesh mesh = command.about(input, [&] { return io::read_mesh(document); });
     options.method = method == "growth" ? SegmentationMethod::growth : SegmentationMethod::walker;
+    options.refine_growth = refines == "on";
     const bool has_sketch = !sketch_path.empty();
     const std::string text = has_sketch ? command.read_text(sketch_path, "partwise/sketch-1") : "";
     const std::string& about = has_sketch ? sketch_path : input;

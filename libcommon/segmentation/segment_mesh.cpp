@@ -46,10 +46,27 @@ void require_one_component(const TriMesh& mesh) {
 std::vector<int> raw_labels(const TriMesh& mesh, const Seeds& seeds, int part_count,
                             const std::vector<double>& concavity, const std::vector<double>& costs,
                             const SegmentationOptions& options) {
-  if (options.method == SegmentationMethod::growth) return grow_regions(mesh, seeds);
   const PartProbabilities probabilities = walk_randomly(mesh, seeds, part_count, concavity);
   if (mesh.facet_count() > options.largest_cut) return most_probable_parts(probabilities);
   return cut_band(mesh, seeds, probabilities, costs, options.band_cut);
+}
+
+RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, const Seeds& seeds,
+                    const SegmentationOptions& options) {
+  // To look for creases takes longer than the growth itself.
+  const std::vector<double> no_creases(mesh.half_edges().n_edges(), 0.0);
+  RepairedLabels grown =
+      repair_labels(mesh, names, seeds, grow_regions(mesh, seeds), boundary_costs(mesh, no_creases));
+  if (!options.refine_growth || mesh.facet_count() > options.largest_cut) return grown;
+  const std::vector<double> costs = boundary_costs(mesh, edge_concavity(mesh));
+  const int part_count = static_cast<int>(names.size());
+  RepairedLabels refined = repair_labels(
+      mesh, names, seeds,
+      refine_boundaries(mesh, seeds, part_count, std::move(grown.labels), costs, options.refinement), costs);
+  refined.merged_islands += grown.merged_islands;
+  refined.removed_pinches += grown.removed_pinches;
+  refined.changed_facets += grown.changed_facets;
+  return refined;
 }
 
 RepairedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>& names,
@@ -61,10 +78,8 @@ RepairedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>&
     return whole;
   }
   const Seeds seeds = collect_seeds(mesh, names, strokes);
-  // The paper's growth knows no creases; to look for them would take longer than the growth itself.
-  const bool seeks_creases = options.method == SegmentationMethod::walker;
-  const std::vector<double> concavity =
-      seeks_creases ? edge_concavity(mesh) : std::vector<double>(mesh.half_edges().n_edges(), 0.0);
+  if (options.method == SegmentationMethod::growth) return grow(mesh, names, seeds, options);
+  const std::vector<double> concavity = edge_concavity(mesh);
   const std::vector<double> costs = boundary_costs(mesh, concavity);
   const int part_count = static_cast<int>(names.size());
   return repair_labels(mesh, names, seeds, raw_labels(mesh, seeds, part_count, concavity, costs, options),
@@ -102,12 +117,12 @@ SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const Segm
   SurfacePlaces places(mesh, options.snap_limit);
   SegmentedMesh result = assemble_segmentation(
       mesh, label_facets(mesh, names, seed_strokes(sketch, places), options), sketch, options);
-  if (options.method == SegmentationMethod::walker && names.size() > 1 &&
-      mesh.facet_count() > options.largest_cut) {
-    result.warnings.push_back(
-        "boundaries are as the random walks leave them: straightening them is for meshes of at "
-        "most " +
-        std::to_string(options.largest_cut) + " facets");
+  const bool walks = options.method == SegmentationMethod::walker;
+  if ((walks || options.refine_growth) && names.size() > 1 && mesh.facet_count() > options.largest_cut) {
+    result.warnings.push_back(std::string("boundaries are as the ") +
+                              (walks ? "random walks leave" : "growth leaves") +
+                              " them: straightening them is for meshes of at most " +
+                              std::to_string(options.largest_cut) + " facets");
   }
   return result;
 }

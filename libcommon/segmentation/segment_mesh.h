@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesh/segmentation.h"
-#include "segmentation/band_cut.h"
+#include "segmentation/boundary_refinement.h"
 #include "segmentation/label_repair.h"
 #include "segmentation/sketch.h"
 
@@ -12,12 +12,14 @@ namespace partwise {
 
 enum class SegmentationMethod {
   walker,  ///< random walker over facets, boundaries cut in a narrow band, see random_walker.h and band_cut.h
-  growth   ///< as in the paper, see growth.h
+  growth   ///< as in the paper, see growth.h and boundary_refinement.h
 };
 
 struct SegmentationOptions {
   SegmentationMethod method = SegmentationMethod::walker;
   BandCutOptions band_cut;
+  bool refine_growth = true;  ///< straighten the boundaries that growth leaves, see boundary_refinement.h
+  RefinementOptions refinement;
   int largest_cut =
       200'000;  ///< facets of the largest mesh whose boundaries are cut: beyond, it takes minutes
   double snap_limit = 0.05;      ///< how far sketched points may lie from the surface, over the diagonal

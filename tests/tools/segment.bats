@@ -47,6 +47,8 @@ fails() {
   jq -e '.metrics.segment.curves == 1 and .history[-1].arguments.method == "growth"' grown.json
   segment capsule.ply --sketch good.sketch.json -o walked.ply
   segment --check grown.ply walked.ply
+  segment capsule.ply --sketch good.sketch.json --method growth --refine-boundaries off -o raw.ply
+  jq -en --slurpfile raw raw.json --slurpfile grown grown.json '$grown[0].curves[0].length <= $raw[0].curves[0].length'
 }
 
 @test "without a sketch the mesh is one part" {
