@@ -1,4 +1,4 @@
-// Writes a mesh of known shape: sample_mesh capsule|fine-capsule|torus|two-spheres OUT.ply
+// Writes a mesh of known shape: sample_mesh SHAPE OUT.ply, with the shapes of mesh_called below,
 // or prints the part of every facet: sample_mesh labels SEGMENTED.ply
 #include <iostream>
 #include <string>
@@ -25,7 +25,12 @@ TriMesh mesh_called(const std::string& name) {
   if (name == "capsule") return tests::capsule(4, 24, 45);
   if (name == "fine-capsule") return tests::capsule(4, 31, 70);
   if (name == "torus") return tests::torus(3, 1, 24, 12);
+  if (name == "fat-torus") return tests::torus(3, 1.4, 31, 15);
   if (name == "two-spheres") return two_spheres();
+  if (name == "cube") return tests::cube(30);
+  if (name == "bumpy-sphere") return tests::bumpy_sphere(37, 0.4);
+  if (name == "hemisphere") return tests::hemisphere(16);
+  if (name == "fine-hemisphere") return tests::hemisphere(22);
   throw UsageError("unknown shape " + name);
 }
 
