@@ -5,11 +5,13 @@
 
 #include "cli/command.h"
 #include "error.h"
+#include "io/pending_file.h"
 #include "io/sketch.h"
 #include "io/stage_documents.h"
 #include "mesh/curve_roughness.h"
 #include "segmentation/compatibility.h"
 #include "segmentation/segment_mesh.h"
+#include "segmentation/suggest_sketch.h"
 #include "segmentation/transfer_labels.h"
 
 namespace {
@@ -20,6 +22,7 @@ constexpr const char* kSynopsis = "Cut a mesh into the parts of a sketch, or che
 constexpr const char* kExample =
     "segment cat.ply --sketch cat.sketch.json -o cat.segment.ply\n"
     "  segment cat-02.ply --labels-from cat.segment.ply -o cat-02.segment.ply\n"
+    "  segment dog.ply --auto 7 -o dog.sketch.json\n"
     "  segment --check cat.segment.ply lion.segment.ply";
 
 io::Json metrics_of(const SegmentedMesh& segmented) {
@@ -77,6 +80,7 @@ int cut(int argc, char** argv) {
   SegmentationOptions& options = transfer.usual;
   std::string labels_path, sketch_path, method = "walker", refines = "on";
   bool asks_check = false;  // never set: check() answers
+  int suggested_parts = 0;  // likewise: suggest()
   command.options()
       .add_option("-s,--sketch", sketch_path, "Strokes, markers, anchors; without it the mesh is one part")
       ->type_name("FILE");
@@ -114,6 +118,11 @@ int cut(int argc, char** argv) {
       "proposed: for you to judge and copy into the sketch; hull-to-hull leaves them out");
   command.options().add_flag("--check", asks_check,
                              "Compare segment documents instead: segment --check A B [C ...]");
+  command.options()
+      .add_option("--auto", suggested_parts,
+                  "Suggest N parts instead, written as a sketch to correct: segment MESH --auto N "
+                  "-o X.sketch.json")
+      ->type_name("N");
   return command.run(argc, argv, [&] {
     const io::Document document = command.read(input, {"mesh"});
     const TriMesh mesh = command.about(input, [&] { return io::read_mesh(document); });
@@ -155,12 +164,63 @@ int check(int argc, char** argv) {
   });
 }
 
-bool asks_for_check(int argc, char** argv) {
-  return std::any_of(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--check") == 0; });
+/// A sketch whose strokes are vertices, as a person may go on editing it.
+io::Json to_json(const Sketch& sketch) {
+  io::Json parts = io::Json::array();
+  for (const SketchedPart& part : sketch.parts) {
+    io::Json strokes = io::Json::array();
+    for (const Stroke& stroke : part.strokes) {
+      strokes.push_back({{"vertices", std::get<VertexStroke>(stroke).vertices}});
+    }
+    parts.push_back({{"name", part.name}, {"strokes", strokes}});
+  }
+  return {{"schema", "partwise/sketch-1"},
+          {"comment", "a suggestion by segment --auto: to be looked at and corrected"},
+          {"mesh", {{"vertices", sketch.mesh->vertices}, {"faces", sketch.mesh->facets}}},
+          {"parts", parts}};
+}
+
+int suggest(int argc, char** argv) {
+  cli::Command command("segment", kSynopsis, kExample);
+  const std::string& input = command.input("mesh", "Mesh document");
+  const std::string& output =
+      command.output_file("Where to write the sketch, X.sketch.json; - is standard output");
+  int part_count = 0;
+  command.options()
+      .add_option("--auto", part_count, "Number of parts to suggest, the core included")
+      ->required()
+      ->check(CLI::Range(2, 100));
+  return command.run(argc, argv, [&] {
+    const TriMesh mesh = command.about(input, [&] { return io::read_mesh(command.read(input, {"mesh"})); });
+    const Sketch sketch = command.about(input, [&] {
+      Sketch suggestion = suggest_sketch(mesh, part_count);
+      segment_mesh(mesh, suggestion, {});  // throws when the suggestion is of no use
+      return suggestion;
+    });
+    const std::string text = to_json(sketch).dump(1) + "\n";
+    const auto put = [&](std::ostream& stream) { stream << text; };
+    if (output == "-") {
+      io::write_through(output, put);
+    } else {
+      io::write_file(output, command.force(), put);
+    }
+    command.warn(
+        "these parts are a suggestion from far ends of the shape, not a decision: look at them, rename them "
+        "as "
+        "on the other model, correct the strokes, then segment with --sketch");
+  });
+}
+
+bool asks_for(const char* option, int argc, char** argv) {
+  const std::size_t length = std::strlen(option);
+  return std::any_of(argv, argv + argc, [&](const char* word) {
+    return std::strncmp(word, option, length) == 0 && (word[length] == 0 || word[length] == '=');
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return asks_for_check(argc, argv) ? check(argc, argv) : cut(argc, argv);
+  if (asks_for("--check", argc, argv)) return check(argc, argv);
+  return asks_for("--auto", argc, argv) ? suggest(argc, argv) : cut(argc, argv);
 }

@@ -170,3 +170,17 @@ fails() {
   jq -e '.anchors == []' b.json
   segment --check a.ply b.ply
 }
+
+@test "--auto suggests a sketch that replays, and says that it is a suggestion" {
+  run segment capsule.ply --auto 3 -o auto.sketch.json
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"a suggestion"*"not a decision"* ]]
+  jq -e '.schema == "partwise/sketch-1" and [.parts[].name] == ["core", "part 1", "part 2"]' auto.sketch.json
+  segment capsule.ply --auto 3 -o - --quiet | cmp - auto.sketch.json
+  segment capsule.ply --sketch auto.sketch.json -o auto.ply
+  jq -e '.metrics.segment | .parts == 3 and .curves == 2' auto.json
+  fails 4 "auto.sketch.json" segment capsule.ply --auto 3 -o auto.sketch.json
+  fails 2 "" segment capsule.ply --auto 1 -o out.sketch.json
+  sample_mesh two-spheres two.ply
+  fails 3 "several components" segment two.ply --auto 3 -o out.sketch.json
+}
