@@ -6,6 +6,7 @@
 #include "error.h"
 #include "segmentation/anchor_proposals.h"
 #include "segmentation/concavity.h"
+#include "segmentation/contacts.h"
 #include "segmentation/crease_field.h"
 #include "segmentation/growth.h"
 #include "segmentation/label_repair.h"
@@ -69,21 +70,22 @@ RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, 
   return refined;
 }
 
-RepairedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>& names,
-                            const std::vector<SeedStroke>& strokes, const SegmentationOptions& options) {
+SeparatedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>& names,
+                             const std::vector<SeedStroke>& strokes, const SegmentationOptions& options) {
   if (names.size() == 1) {
     require_one_component(mesh);
     RepairedLabels whole;
     whole.labels.assign(mesh.facet_count(), 0);
-    return whole;
+    return {whole, {}};
   }
   const Seeds seeds = collect_seeds(mesh, names, strokes);
-  if (options.method == SegmentationMethod::growth) return grow(mesh, names, seeds, options);
+  if (options.method == SegmentationMethod::growth) return {grow(mesh, names, seeds, options), {}};
   const std::vector<double> concavity = edge_concavity(mesh);
   const std::vector<double> costs = boundary_costs(mesh, concavity);
   const int part_count = static_cast<int>(names.size());
-  return repair_labels(mesh, names, seeds, raw_labels(mesh, seeds, part_count, concavity, costs, options),
-                       costs);
+  RepairedLabels repaired = repair_labels(
+      mesh, names, seeds, raw_labels(mesh, seeds, part_count, concavity, costs, options), costs);
+  return separate_contacts(mesh, names, seeds, std::move(repaired), costs, options.contact_limit);
 }
 
 }  // namespace
@@ -115,8 +117,9 @@ SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const Segm
   require_size(mesh, sketch);
   const std::vector<std::string> names = part_names(sketch);
   SurfacePlaces places(mesh, options.snap_limit);
-  SegmentedMesh result = assemble_segmentation(
-      mesh, label_facets(mesh, names, seed_strokes(sketch, places), options), sketch, options);
+  SeparatedLabels labelled = label_facets(mesh, names, seed_strokes(sketch, places), options);
+  SegmentedMesh result = assemble_segmentation(mesh, std::move(labelled.repaired), sketch, options);
+  for (std::string& contact : labelled.sentences) result.warnings.push_back(std::move(contact));
   const bool walks = options.method == SegmentationMethod::walker;
   if ((walks || options.refine_growth) && names.size() > 1 && mesh.facet_count() > options.largest_cut) {
     result.warnings.push_back(std::string("boundaries are as the ") +

@@ -20,6 +20,8 @@ struct SegmentationOptions {
   BandCutOptions band_cut;
   bool refine_growth = true;  ///< straighten the boundaries that growth leaves, see boundary_refinement.h
   RefinementOptions refinement;
+  double contact_limit =
+      0.35;  ///< contacts of the walker's parts up to this share of their boundary are taken for accidental
   int largest_cut =
       200'000;  ///< facets of the largest mesh whose boundaries are cut: beyond, it takes minutes
   double snap_limit = 0.05;      ///< how far sketched points may lie from the surface, over the diagonal
