@@ -26,14 +26,17 @@ pair() {
 @test "triceratops -> diplodocus" {
   pair "$(demo_mesh triceratops)" "$(demo_mesh diplodocus)" triceratops diplodocus
   check_result out 5660 47960
+  jq -e '.markers == 18 and .rms_distance <= 0.005' out/measure.json
 }
 
 @test "man -> baby, against the ground truth" {
-  pair "$(reference_mesh man)" "$(reference_mesh baby)" man baby
+  pair "$(reference_mesh man)" "$(reference_mesh baby)" man baby "MEASURE_FLAGS=--truth identity"
   check_result out 26756 26756
+  jq -e '.rms_distance <= 0.005 and .truth.vertices == 13380 and .truth.mean <= 0.03' out/measure.json
 }
 
 @test "baby -> man, against the ground truth" {
-  pair "$(reference_mesh baby)" "$(reference_mesh man)" baby man
+  pair "$(reference_mesh baby)" "$(reference_mesh man)" baby man "MEASURE_FLAGS=--truth identity"
   check_result out 26756 26756
+  jq -e '.rms_distance <= 0.005 and .truth.vertices == 13380 and .truth.mean <= 0.03' out/measure.json
 }
