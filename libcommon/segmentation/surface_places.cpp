@@ -44,7 +44,7 @@ int SurfacePlaces::checked_vertex(int vertex, const std::string& where) const {
   if (vertex < 0 || vertex >= mesh_.vertex_count()) {
     throw InputError(where + ": there is no vertex " + std::to_string(vertex) + "; the mesh has " +
                      std::to_string(mesh_.vertex_count()) + " (0 to " +
-                     std::to_string(mesh_.vertex_count() - 1) + ")");
+                     std::to_string(mesh_.vertex_count() - 1) + "); is this the sketch of another mesh?");
   }
   return vertex;
 }

@@ -184,3 +184,40 @@ fails() {
   sample_mesh two-spheres two.ply
   fails 3 "several components" segment two.ply --auto 3 -o out.sketch.json
 }
+
+@test "strokes that touch, parts that end empty, sketches of other meshes: who, where, what to do" {
+  # The same vertex in two parts: nothing is left of the shorter stroke.
+  sketch both <<<'{"name": "south", "strokes": [{"vertices": [0]}, {"vertices": [500]}]},
+                  {"name": "north", "strokes": [{"vertices": [1057]}, {"vertices": [500]}]}'
+  fails 3 "both.sketch.json: part 'south', stroke 1: strokes of other parts touch every facet it touches (near vertex 500)" \
+    segment capsule.ply -s both.sketch.json -o out.ply
+  [[ "$output" == *"move it away from them"* ]]
+  # Touching strokes that both keep facets are no error.
+  sketch touching <<<'{"name": "south", "strokes": [{"vertices": [0, 500]}]},
+                      {"name": "north", "strokes": [{"vertices": [1057, 500]}]}'
+  segment capsule.ply -s touching.sketch.json -o touching.ply
+  jq -e '.metrics.segment.parts == 2' touching.json
+  # A part all of whose strokes other parts cover would end empty.
+  sketch covered <<<'{"name": "south", "strokes": [{"vertices": [0]}]}, {"name": "spot", "strokes": [{"vertices": [0]}]},
+                     {"name": "north", "strokes": [{"vertices": [1057]}]}'
+  fails 3 "part 'south', stroke 0: strokes of other parts" segment capsule.ply -s covered.sketch.json -o out.ply
+  sketch foreign <<<'{"name": "south", "strokes": [{"vertices": [999999]}]}, {"name": "north", "strokes": [{"vertices": [1057]}]}'
+  fails 3 "is this the sketch of another mesh?" segment capsule.ply -s foreign.sketch.json -o out.ply
+  # Also where the parts come from elsewhere.
+  segment capsule.ply --sketch good.sketch.json -o from.ply
+  sketch other '"mesh": {"vertices": 5, "faces": 6}' <<<''
+  fails 3 "drawn for a mesh of 5 vertices" segment capsule.ply --labels-from from.ply -s other.sketch.json -o out.ply
+  sketch wing <<<'{"name": "wing"}'
+  fails 3 "wing.sketch.json: part 'wing' is not among the parts of the labels" \
+    segment capsule.ply --labels-from from.ply -s wing.sketch.json -o out.ply
+}
+
+@test "one stroke on each of two components is enough, and a part on both is refused" {
+  sample_mesh two-spheres two.ply
+  sketch each <<<"{\"name\": \"a\", \"strokes\": [{\"vertices\": [0]}]}, {\"name\": \"b\", \"strokes\": [{\"vertices\": [131]}]}"
+  segment two.ply -s each.sketch.json -o each.ply
+  jq -e '.metrics.segment | .parts == 2 and .curves == 0' each.json
+  sketch across <<<"{\"name\": \"a\", \"strokes\": [{\"vertices\": [0, 131]}]}, {\"name\": \"b\", \"strokes\": [{\"vertices\": [5]}]}"
+  fails 3 "part 'a' has strokes on two unconnected components of the mesh (vertices 0 and 131)" \
+    segment two.ply -s across.sketch.json -o out.ply
+}

@@ -151,7 +151,8 @@ TEST(SegmentMesh, SaysWhichEntryDoesNotFitTheMesh) {
   Sketch sketch = body_sketch(body);
   std::get<VertexStroke>(sketch.parts[1].strokes[0]).vertices[1] = 99999;
   EXPECT_EQ(complaint(body, sketch),
-            "part 'top', stroke 0, entry 1: there is no vertex 99999; the mesh has 1602 (0 to 1601)");
+            "part 'top', stroke 0, entry 1: there is no vertex 99999; the mesh has 1602 (0 to 1601); "
+            "is this the sketch of another mesh?");
   sketch = body_sketch(body);
   sketch.parts[0].strokes.emplace_back(PointStroke{{{0, 0, -1.7}, {0, 0, -17}}});
   EXPECT_NE(complaint(body, sketch).find("part 'bottom', stroke 1, entry 1: the point lies"),
