@@ -12,7 +12,6 @@
 #include "error.h"
 #include "geometry/flat_sides.h"
 #include "geometry/normals.h"
-#include "geometry/surface_index.h"
 
 namespace partwise {
 namespace {
@@ -165,14 +164,6 @@ Vec3 hull_centre(const ConvexHull& hull) {
     if (sees_all) return candidate;
   }
   throw ComputationError("the convex hull is too thin to have a point inside in double precision");
-}
-
-std::vector<double> distances_to_hull(const ConvexHull& hull, const Points& points) {
-  const SurfaceIndex index(hull.points, hull.facets);
-  std::vector<double> distances;
-  distances.reserve(points.size());
-  for (const Vec3& point : points) distances.push_back(index.closest(point).distance);
-  return distances;
 }
 
 }  // namespace partwise

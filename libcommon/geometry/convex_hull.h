@@ -26,7 +26,8 @@ ConvexHull convex_hull(const Points& points);
 /// \throws ComputationError when the hull is so thin that rounding leaves no such point.
 Vec3 hull_centre(const ConvexHull& hull);
 
-/// Per point: distance to the surface of the hull, >= 0, in the units of the model.
+/// Per point: distance to the surface of the hull, >= 0, in the units of the model. Quick for the many points
+/// inside, whose nearest plane is sought; exact up to the height of sliver facets (1e-7 of their length).
 std::vector<double> distances_to_hull(const ConvexHull& hull, const Points& points);
 
 }  // namespace partwise

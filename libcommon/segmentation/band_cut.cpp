@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
-#include "geometry/normals.h"
-#include "segmentation/crease_field.h"
 #include "segmentation/minimum_cut.h"
 
 namespace partwise {
 namespace {
 
 constexpr int kCandidates = 4;
+constexpr double kLeastShare = 1e-3;  // of the best probability, which a node's present part counts as having
 
 class BandCut {
  public:
-  BandCut(const TriMesh& mesh, const Seeds& seeds, const PartProbabilities& probabilities,
-          const std::vector<double>& boundary_costs, const BandCutOptions& options);
+  BandCut(const FacetGraph& graph, const std::vector<bool>& is_free, std::vector<int> labels,
+          const PartProbabilities& probabilities, const BandCutOptions& options);
 
-  /// Lets free facets change to `part` where that lowers the sum. \return whether any did
+  /// Lets free nodes change to `part` where that lowers the sum. \return whether any did
   bool expand(int part);
 
   std::vector<int> labels() && { return std::move(labels_); }
@@ -28,102 +28,139 @@ class BandCut {
     int part = -1;
     double cost = 0;
   };
+  using Candidates = std::array<Candidate, kCandidates>;
 
-  const Candidate* candidate(int facet, int part) const;
-  double label_cost(int facet) const { return candidate(facet, labels_[facet])->cost; }
+  static Candidates candidates_of(const PartProbabilities& probabilities, int node, int label, double weight,
+                                  std::vector<int>& order);
+  static const Candidate* find(const Candidates& candidates, int part);
+  void add_link(BinaryCut& cut, int from, int link, int part) const;
 
-  const TriMesh& mesh_;
-  const std::vector<double>& boundary_costs_;
+  const FacetGraph& graph_;
   std::vector<int> labels_;
-  std::vector<int> free_facets_;
-  std::vector<std::array<Candidate, kCandidates>>
-      candidates_;  // per facet, unused for those that keep their part
+  std::vector<int> free_nodes_;
+  std::vector<Candidates> candidates_;  // per free node
+  std::vector<int> variables_;          // per node: its variable in the expansion at hand, or -1
 };
 
-BandCut::BandCut(const TriMesh& mesh, const Seeds& seeds, const PartProbabilities& probabilities,
-                 const std::vector<double>& boundary_costs, const BandCutOptions& options)
-    : mesh_(mesh),
-      boundary_costs_(boundary_costs),
-      labels_(most_probable_parts(probabilities)),
-      candidates_(labels_.size()) {
-  const std::vector<double> areas = facet_areas(mesh.points(), mesh.facets());
-  const double h = mean_edge_length(mesh);
-  const auto part_count = static_cast<int>(probabilities.cols());
-  std::vector<int> order(part_count);
-  for (int f = 0; f < mesh.facet_count(); ++f) {
-    if (seeds.facet_part[f] != kUnseeded) continue;
-    for (int k = 0; k < part_count; ++k) order[k] = k;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return probabilities(f, a) > probabilities(f, b); });
-    std::swap(*std::find(order.begin(), order.end(), labels_[f]), order.front());  // ties as in labels_
-    if (part_count < 2) continue;
-    const double first = probabilities(f, order[0]), second = probabilities(f, order[1]);
-    if (second <= options.band * first) continue;
-    free_facets_.push_back(f);
-    const double weight = options.probability_weight * std::sqrt(areas[f]) / h;
-    for (int k = 0; k < std::min(part_count, kCandidates); ++k) {
-      const double probability = probabilities(f, order[k]);
-      if (!(probability > 0)) break;
-      candidates_[f][k] = {order[k], weight * (second / probability - second / first)};
-    }
+BandCut::BandCut(const FacetGraph& graph, const std::vector<bool>& is_free, std::vector<int> labels,
+                 const PartProbabilities& probabilities, const BandCutOptions& options)
+    : graph_(graph), labels_(std::move(labels)), variables_(labels_.size(), -1) {
+  if (probabilities.cols() < 2) return;
+  std::vector<int> order(probabilities.cols());
+  for (int i = 0; i < graph.node_count(); ++i) {
+    if (!is_free[i]) continue;
+    const double weight = options.probability_weight * graph.size[i];
+    free_nodes_.push_back(i);
+    candidates_.push_back(candidates_of(probabilities, i, labels_[i], weight, order));
   }
 }
 
-const BandCut::Candidate* BandCut::candidate(int facet, int part) const {
-  const auto& candidates = candidates_[facet];
+/// The best parts of a node, its present one among them, and what they cost.
+BandCut::Candidates BandCut::candidates_of(const PartProbabilities& probabilities, int node, int label,
+                                           double weight, std::vector<int>& order) {
+  const auto p = probabilities.row(node);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return p(a) > p(b); });
+  const auto present = std::find(order.begin(), order.end(), label);
+  if (p(label) + 1e-12 >= p(order.front())) {
+    std::swap(*present, order.front());  // a tie
+  } else if (present - order.begin() >= kCandidates) {
+    std::swap(*present, order[kCandidates - 1]);
+  }
+  const double first = p(order[0]), second = p(order[1]);
+  Candidates candidates;
+  for (int k = 0; k < std::min(static_cast<int>(order.size()), kCandidates); ++k) {
+    const double probability = order[k] == label ? std::max(p(label), kLeastShare * first) : p(order[k]);
+    if (!(probability > 0)) continue;
+    candidates[k] = {order[k], weight * (second / probability - second / first)};
+  }
+  return candidates;
+}
+
+const BandCut::Candidate* BandCut::find(const Candidates& candidates, int part) {
   const auto found =
       std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.part == part; });
   return found == candidates.end() ? nullptr : &*found;
 }
 
-bool BandCut::expand(int part) {
-  std::vector<int> variables(mesh_.facet_count(), -1);
-  std::vector<int> facets;
-  for (const int f : free_facets_) {
-    if (labels_[f] == part || candidate(f, part) == nullptr) continue;
-    variables[f] = static_cast<int>(facets.size());
-    facets.push_back(f);
+void BandCut::add_link(BinaryCut& cut, int from, int link, int part) const {
+  const int to = graph_.neighbour[link];
+  const double cost = graph_.cut_cost[link];
+  const int label = labels_[from], other = labels_[to];
+  if (variables_[to] < 0) {
+    cut.add_cost(variables_[from], (other != part ? cost : 0) - (other != label ? cost : 0));
+  } else if (from < to) {
+    // Costs for (x_from, x_to): both keep, one changes (either way: a boundary to `part`), both change
+    // (none).
+    const double both_keep = label != other ? cost : 0;
+    cut.add_cost(variables_[from], cost - both_keep);
+    cut.add_cost(variables_[to], -cost);
+    cut.add_pair_cost(variables_[from], variables_[to], 2 * cost - both_keep);
   }
-  if (facets.empty()) return false;
-  BinaryCut cut(static_cast<int>(facets.size()));
-  const HalfEdges& half_edges = mesh_.half_edges();
-  for (const int f : facets) {
-    cut.add_cost(variables[f], candidate(f, part)->cost - label_cost(f));
-    for (const auto h : half_edges.fh_range(OpenMesh::FaceHandle(f))) {
-      const auto across = half_edges.opposite_face_handle(h);
-      if (!across.is_valid()) continue;
-      const int g = across.idx();
-      const double cost = boundary_costs_[half_edges.edge_handle(h).idx()];
-      if (variables[g] < 0) {
-        cut.add_cost(variables[f], (labels_[g] != part ? cost : 0) - (labels_[g] != labels_[f] ? cost : 0));
-      } else if (f < g) {
-        // Costs for (x_f, x_g): both keep, one changes (either way: a boundary to `part`), both change
-        // (none).
-        const double both_keep = labels_[f] != labels_[g] ? cost : 0;
-        cut.add_cost(variables[f], cost - both_keep);
-        cut.add_cost(variables[g], -cost);
-        cut.add_pair_cost(variables[f], variables[g], 2 * cost - both_keep);
-      }
+}
+
+bool BandCut::expand(int part) {
+  std::vector<int> nodes;
+  std::vector<double> changes_cost;
+  for (std::size_t i = 0; i < free_nodes_.size(); ++i) {
+    const int node = free_nodes_[i];
+    const Candidate* change = labels_[node] == part ? nullptr : find(candidates_[i], part);
+    if (change == nullptr) continue;
+    variables_[node] = static_cast<int>(nodes.size());
+    nodes.push_back(node);
+    changes_cost.push_back(change->cost - find(candidates_[i], labels_[node])->cost);
+  }
+  if (nodes.empty()) return false;
+  BinaryCut cut(static_cast<int>(nodes.size()));
+  for (std::size_t v = 0; v < nodes.size(); ++v) {
+    cut.add_cost(static_cast<int>(v), changes_cost[v]);
+    for (int k = graph_.first[nodes[v]]; k < graph_.first[nodes[v] + 1]; ++k) {
+      add_link(cut, nodes[v], k, part);
     }
   }
   const std::vector<bool> changes = cut.minimise();
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    if (changes[i]) labels_[facets[i]] = part;
+  for (std::size_t v = 0; v < nodes.size(); ++v) {
+    if (changes[v]) labels_[nodes[v]] = part;
+    variables_[nodes[v]] = -1;
   }
   return std::find(changes.begin(), changes.end(), true) != changes.end();
 }
 
 }  // namespace
 
-std::vector<int> cut_band(const TriMesh& mesh, const Seeds& seeds, const PartProbabilities& probabilities,
-                          const std::vector<double>& boundary_costs, const BandCutOptions& options) {
-  BandCut cut(mesh, seeds, probabilities, boundary_costs, options);
+std::vector<bool> nodes_in_doubt(const std::vector<bool>& is_fixed, const PartProbabilities& probabilities,
+                                 double band) {
+  std::vector<bool> in_doubt(is_fixed.size(), false);
+  for (std::size_t i = 0; i < in_doubt.size(); ++i) {
+    double first = 0, second = 0;
+    for (const double p : probabilities.row(static_cast<Eigen::Index>(i))) {
+      second = std::max(second, std::min(first, p));
+      first = std::max(first, p);
+    }
+    in_doubt[i] = !is_fixed[i] && second > band * first;
+  }
+  return in_doubt;
+}
+
+std::vector<int> cut_band(const FacetGraph& graph, const std::vector<bool>& is_free, std::vector<int> labels,
+                          const PartProbabilities& probabilities, const BandCutOptions& options) {
+  BandCut cut(graph, is_free, std::move(labels), probabilities, options);
   bool changed = true;
   for (int round = 0; round < options.most_rounds && changed; ++round) {
     changed = false;
     for (int part = 0; part < static_cast<int>(probabilities.cols()); ++part) changed |= cut.expand(part);
   }
   return std::move(cut).labels();
+}
+
+std::vector<int> cut_band(const TriMesh& mesh, const Seeds& seeds, const PartProbabilities& probabilities,
+                          const std::vector<double>& boundary_costs, const BandCutOptions& options) {
+  std::vector<bool> is_seeded(mesh.facet_count());
+  for (int f = 0; f < mesh.facet_count(); ++f) is_seeded[f] = seeds.facet_part[f] != kUnseeded;
+  const std::vector<double> flat(mesh.half_edges().n_edges(), 0.0);
+  return cut_band(facet_graph(mesh, flat, boundary_costs),
+                  nodes_in_doubt(is_seeded, probabilities, options.band), most_probable_parts(probabilities),
+                  probabilities, options);
 }
 
 }  // namespace partwise

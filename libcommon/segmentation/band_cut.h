@@ -24,4 +24,12 @@ struct BandCutOptions {
 std::vector<int> cut_band(const TriMesh& mesh, const Seeds& seeds, const PartProbabilities& probabilities,
                           const std::vector<double>& boundary_costs, const BandCutOptions& options);
 
+/// The same on any graph, from `labels` on: free nodes may take one of their best four parts, or keep theirs.
+std::vector<int> cut_band(const FacetGraph& graph, const std::vector<bool>& is_free, std::vector<int> labels,
+                          const PartProbabilities& probabilities, const BandCutOptions& options);
+
+/// The nodes whose part is in doubt: not fixed, second probability above `band` times the first.
+std::vector<bool> nodes_in_doubt(const std::vector<bool>& is_fixed, const PartProbabilities& probabilities,
+                                 double band);
+
 }  // namespace partwise

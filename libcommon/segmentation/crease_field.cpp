@@ -6,41 +6,15 @@
 #include <cmath>
 
 #include "geometry/normals.h"
+#include "segmentation/edge_bending.h"
 
 namespace partwise {
 namespace {
 
-using OpenMesh::EdgeHandle;
-using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 using Tensor = Eigen::Matrix3d;
 
-constexpr double kRadius = 0.014;  // of the diagonal
-constexpr double kCrease = 20;     // concavity at which an edge counts as a crease
-
-struct EdgeEnds {
-  int from;
-  int to;
-};
-
-EdgeEnds ends(const TriMesh& mesh, int edge) {
-  const HalfedgeHandle h = mesh.half_edges().halfedge_handle(EdgeHandle(edge), 0);
-  return {mesh.half_edges().from_vertex_handle(h).idx(), mesh.half_edges().to_vertex_handle(h).idx()};
-}
-
-/// Signed dihedral angle in radians: positive at a convex edge, 0 on a flat one and on the mesh's boundary.
-double dihedral_angle(const TriMesh& mesh, const Points& normals, int edge) {
-  const HalfEdges& half_edges = mesh.half_edges();
-  const HalfedgeHandle h = half_edges.halfedge_handle(EdgeHandle(edge), 0);
-  const auto left = half_edges.face_handle(h);
-  const auto right = half_edges.face_handle(half_edges.opposite_halfedge_handle(h));
-  if (!left.is_valid() || !right.is_valid()) return 0;
-  const auto [from, to] = ends(mesh, edge);
-  const Vec3 direction = (mesh.point(to) - mesh.point(from)).stableNormalized();
-  const Vec3& n = normals[left.idx()];
-  const Vec3& m = normals[right.idx()];
-  return std::atan2(n.cross(m).dot(direction), n.dot(m));
-}
+constexpr double kCrease = 20;  // concavity at which an edge counts as a crease
 
 /// Curvature tensor times area, and area, of the 1-ring of every vertex.
 struct VertexBending {
@@ -57,7 +31,7 @@ VertexBending bending_of_rings(const TriMesh& mesh) {
   }
   const Points normals = facet_normals(mesh.points(), mesh.facets());
   for (int e = 0; e < static_cast<int>(mesh.half_edges().n_edges()); ++e) {
-    const auto [from, to] = ends(mesh, e);
+    const auto [from, to] = edge_ends(mesh, e);
     const Vec3 edge = mesh.point(to) - mesh.point(from);
     const double length = edge.norm();
     if (length == 0) continue;
@@ -110,7 +84,7 @@ class Neighbourhood {
 
 std::vector<Tensor, Eigen::aligned_allocator<Tensor>> curvature_tensors(const TriMesh& mesh) {
   const VertexBending bending = bending_of_rings(mesh);
-  const double radius = kRadius * mesh.diagonal();
+  const double radius = kCreaseRadius * mesh.diagonal();
   const Adjacency adjacency(mesh);
   std::vector<Tensor, Eigen::aligned_allocator<Tensor>> result(mesh.vertex_count());
   tbb::parallel_for(tbb::blocked_range<int>(0, mesh.vertex_count(), 16384), [&](const auto& range) {
@@ -131,7 +105,7 @@ std::vector<Tensor, Eigen::aligned_allocator<Tensor>> curvature_tensors(const Tr
 }  // namespace
 
 double edge_length(const TriMesh& mesh, int index) {
-  const auto [from, to] = ends(mesh, index);
+  const auto [from, to] = edge_ends(mesh, index);
   return (mesh.point(to) - mesh.point(from)).norm();
 }
 
@@ -147,7 +121,7 @@ std::vector<double> edge_concavity(const TriMesh& mesh) {
   const double diagonal = mesh.diagonal();
   std::vector<double> concavity(mesh.half_edges().n_edges(), 0.0);
   for (std::size_t e = 0; e < concavity.size(); ++e) {
-    const auto [from, to] = ends(mesh, static_cast<int>(e));
+    const auto [from, to] = edge_ends(mesh, static_cast<int>(e));
     const Vec3 u = (mesh.point(to) - mesh.point(from)).stableNormalized();
     concavity[e] = std::max(0.0, -diagonal * u.dot((tensors[from] + tensors[to]) * u) / 2);
   }

@@ -1,94 +1,115 @@
 #include "segmentation/random_walker.h"
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "error.h"
-#include "segmentation/crease_field.h"
+#include "solve/sparse_cholesky.h"
 
 namespace partwise {
 namespace {
 
-using OpenMesh::EdgeHandle;
-using OpenMesh::HalfedgeHandle;
-
-/// Two facets that share edge `edge`.
-struct DualEdge {
-  int a;
-  int b;
-  int edge;
+/// The walker's equations over the free nodes.
+struct WalkSystem {
+  std::vector<int> node_of;  // per unknown
+  Eigen::SparseMatrix<double> lower;
+  Eigen::MatrixXd right;
 };
 
-std::vector<DualEdge> dual_edges(const TriMesh& mesh) {
-  const HalfEdges& half_edges = mesh.half_edges();
-  std::vector<DualEdge> result;
-  for (int e = 0; e < static_cast<int>(half_edges.n_edges()); ++e) {
-    const auto a = half_edges.face_handle(half_edges.halfedge_handle(EdgeHandle(e), 0));
-    const auto b = half_edges.face_handle(half_edges.halfedge_handle(EdgeHandle(e), 1));
-    if (a.is_valid() && b.is_valid()) result.push_back({a.idx(), b.idx(), e});
+WalkSystem walk_system(const FacetGraph& graph, const std::vector<bool>& is_fixed,
+                       const PartProbabilities& values) {
+  WalkSystem system;
+  std::vector<int> unknown(graph.node_count(), -1);
+  for (int i = 0; i < graph.node_count(); ++i) {
+    if (is_fixed[i]) continue;
+    unknown[i] = static_cast<int>(system.node_of.size());
+    system.node_of.push_back(i);
   }
-  return result;
-}
-
-double crossing_weight(const TriMesh& mesh, const DualEdge& dual, double concavity) {
-  const HalfedgeHandle h = mesh.half_edges().halfedge_handle(EdgeHandle(dual.edge), 0);
-  const Vec3& from = mesh.point(mesh.half_edges().from_vertex_handle(h).idx());
-  const Vec3& to = mesh.point(mesh.half_edges().to_vertex_handle(h).idx());
-  const Vec3 middle = (from + to) / 2;
-  auto centroid = [&](int f) -> Vec3 {
-    const auto& [a, b, c] = mesh.facet(f);
-    return (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3;
-  };
-  const double way = (centroid(dual.a) - middle).norm() + (middle - centroid(dual.b)).norm();
-  // Slivers and facets without area would give weights that no double-precision system carries.
-  const double ratio = std::clamp((to - from).norm() / std::max(way, 1e-300), 1e-4, 1e4);
-  return ratio * std::exp(-3 * std::min(concavity / 20, 4.0));
+  const auto n = static_cast<Eigen::Index>(system.node_of.size());
+  system.right = Eigen::MatrixXd::Zero(n, values.cols());
+  system.lower.resize(n, n);
+  system.lower.reserve(n + static_cast<Eigen::Index>(graph.neighbour.size()) / 2);
+  std::vector<std::pair<int, double>> column;  // below the diagonal
+  for (Eigen::Index u = 0; u < n; ++u) {
+    const int i = system.node_of[u];
+    double diagonal = 0;
+    column.clear();
+    for (int k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+      const int j = graph.neighbour[k];
+      diagonal += graph.conductance[k];
+      if (is_fixed[j]) {
+        system.right.row(u) += graph.conductance[k] * values.row(j);
+      } else if (unknown[j] > u) {
+        column.emplace_back(unknown[j], -graph.conductance[k]);
+      }
+    }
+    std::sort(column.begin(), column.end());
+    system.lower.startVec(u);
+    system.lower.insertBack(u, u) = diagonal;
+    for (std::size_t k = 0; k < column.size(); ++k) {
+      // Two facets may share two edges.
+      if (k > 0 && column[k].first == column[k - 1].first) {
+        system.lower.valuePtr()[system.lower.nonZeros() - 1] += column[k].second;
+      } else {
+        system.lower.insertBack(column[k].first, u) = column[k].second;
+      }
+    }
+  }
+  system.lower.finalize();
+  return system;
 }
 
 }  // namespace
 
-PartProbabilities walk_randomly(const TriMesh& mesh, const Seeds& seeds, int part_count,
-                                const std::vector<double>& concavity) {
-  PartProbabilities probabilities = PartProbabilities::Zero(mesh.facet_count(), part_count);
-  std::vector<int> unknown(mesh.facet_count(), -1), facet_of;
-  for (int f = 0; f < mesh.facet_count(); ++f) {
-    if (seeds.facet_part[f] != kUnseeded) {
-      probabilities(f, seeds.facet_part[f]) = 1;
-    } else {
-      unknown[f] = static_cast<int>(facet_of.size());
-      facet_of.push_back(f);
-    }
-  }
-  if (facet_of.empty()) return probabilities;
-
-  const int n = static_cast<int>(facet_of.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, part_count);
-  auto add = [&](int from, int to, double weight) {
-    if (unknown[from] < 0) return;
-    entries.emplace_back(unknown[from], unknown[from], weight);
-    if (unknown[to] < 0) {
-      right(unknown[from], seeds.facet_part[to]) += weight;
-    } else {
-      entries.emplace_back(unknown[from], unknown[to], -weight);
-    }
-  };
-  for (const DualEdge& dual : dual_edges(mesh)) {
-    const double weight = crossing_weight(mesh, dual, concavity[dual.edge]);
-    add(dual.a, dual.b, weight);
-    add(dual.b, dual.a, weight);
-  }
-  Eigen::SparseMatrix<double> laplacian(n, n);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(laplacian);
-  if (factor.info() != Eigen::Success) {
+PartProbabilities walk_randomly(const FacetGraph& graph, const std::vector<bool>& is_fixed,
+                                PartProbabilities values) {
+  const WalkSystem system = walk_system(graph, is_fixed, values);
+  if (system.node_of.empty()) return values;
+  SparseCholesky factor;
+  if (!factor.factorize(system.lower)) {
     throw ComputationError("the random walker's linear system cannot be factorised; try --method growth");
   }
-  const Eigen::MatrixXd solution = factor.solve(right);
-  for (int i = 0; i < n; ++i) probabilities.row(facet_of[i]) = solution.row(i);
-  return probabilities;
+  const Eigen::MatrixXd solution = factor.solve(system.right);
+  for (std::size_t u = 0; u < system.node_of.size(); ++u) {
+    values.row(system.node_of[u]) = solution.row(static_cast<Eigen::Index>(u));
+  }
+  return values;
+}
+
+PartProbabilities walk_randomly(const TriMesh& mesh, const Seeds& seeds, int part_count,
+                                const std::vector<double>& concavity) {
+  PartProbabilities values = PartProbabilities::Zero(mesh.facet_count(), part_count);
+  std::vector<bool> is_fixed(mesh.facet_count(), false);
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    if (seeds.facet_part[f] == kUnseeded) continue;
+    is_fixed[f] = true;
+    values(f, seeds.facet_part[f]) = 1;
+  }
+  const std::vector<double> no_costs(mesh.half_edges().n_edges(), 0.0);
+  return walk_randomly(facet_graph(mesh, concavity, no_costs), is_fixed, std::move(values));
+}
+
+PartProbabilities average_neighbours(const FacetGraph& graph, const std::vector<bool>& is_fixed,
+                                     PartProbabilities values, int steps) {
+  PartProbabilities before;
+  for (int step = 0; step < steps; ++step) {
+    before = values;
+    for (int i = 0; i < graph.node_count(); ++i) {
+      if (is_fixed[i]) continue;
+      double sum = 0;
+      values.row(i).setZero();
+      for (int k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+        values.row(i) += graph.conductance[k] * before.row(graph.neighbour[k]);
+        sum += graph.conductance[k];
+      }
+      if (sum > 0) {
+        values.row(i) /= sum;
+      } else {
+        values.row(i) = before.row(i);
+      }
+    }
+  }
+  return values;
 }
 
 std::vector<int> most_probable_parts(const PartProbabilities& probabilities) {

@@ -48,9 +48,8 @@ void require_effect(const TriMesh& mesh, const std::vector<std::string>& names,
   }
 }
 
-void require_components(const TriMesh& mesh, const std::vector<std::string>& names,
-                        const std::vector<SeedStroke>& strokes) {
-  const std::vector<int> component = facet_components(mesh);
+void require_components(const TriMesh& mesh, const std::vector<int>& component,
+                        const std::vector<std::string>& names, const std::vector<SeedStroke>& strokes) {
   const int count = 1 + *std::max_element(component.begin(), component.end());
   std::vector<int> first_vertex(names.size(), -1), part_component(names.size(), -1);
   std::vector<bool> reached(count, false);
@@ -105,8 +104,13 @@ std::vector<int> facet_components(const TriMesh& mesh) {
 
 Seeds collect_seeds(const TriMesh& mesh, const std::vector<std::string>& names,
                     const std::vector<SeedStroke>& strokes) {
+  return collect_seeds(mesh, facet_components(mesh), names, strokes);
+}
+
+Seeds collect_seeds(const TriMesh& mesh, const std::vector<int>& components,
+                    const std::vector<std::string>& names, const std::vector<SeedStroke>& strokes) {
   require_strokes(names, strokes);
-  require_components(mesh, names, strokes);
+  require_components(mesh, components, names, strokes);
   Seeds seeds{std::vector<int>(mesh.vertex_count(), kUnseeded),
               std::vector<int>(mesh.facet_count(), kUnseeded)};
   for (const SeedStroke& stroke : strokes) {

@@ -33,6 +33,10 @@ struct Seeds {
 Seeds collect_seeds(const TriMesh& mesh, const std::vector<std::string>& names,
                     const std::vector<SeedStroke>& strokes);
 
+/// The same when the components are known. \param components see facet_components()
+Seeds collect_seeds(const TriMesh& mesh, const std::vector<int>& components,
+                    const std::vector<std::string>& names, const std::vector<SeedStroke>& strokes);
+
 /// Per facet: the number of its connected component, counted from facet 0.
 std::vector<int> facet_components(const TriMesh& mesh);
 

@@ -9,10 +9,8 @@
 #include "segmentation/contacts.h"
 #include "segmentation/crease_field.h"
 #include "segmentation/growth.h"
-#include "segmentation/label_repair.h"
 #include "segmentation/landmarks.h"
-#include "segmentation/random_walker.h"
-#include "segmentation/surface_places.h"
+#include "segmentation/segmenter.h"
 
 namespace partwise {
 namespace {
@@ -33,32 +31,13 @@ std::vector<std::string> part_names(const Sketch& sketch) {
   return names;
 }
 
-void require_one_component(const TriMesh& mesh) {
-  const std::vector<int> component = facet_components(mesh);
-  const auto second = std::find(component.begin(), component.end(), 1);
-  if (second == component.end()) return;
-  throw InputError("the mesh has " +
-                   std::to_string(1 + *std::max_element(component.begin(), component.end())) +
-                   " components (facet " + std::to_string(second - component.begin()) +
-                   " is not connected to facet 0) but one part; give each component a part of its own, or "
-                   "keep the largest (convert-mesh --keep-largest-component)");
-}
-
-std::vector<int> raw_labels(const TriMesh& mesh, const Seeds& seeds, int part_count,
-                            const std::vector<double>& concavity, const std::vector<double>& costs,
-                            const SegmentationOptions& options) {
-  const PartProbabilities probabilities = walk_randomly(mesh, seeds, part_count, concavity);
-  if (mesh.facet_count() > options.largest_cut) return most_probable_parts(probabilities);
-  return cut_band(mesh, seeds, probabilities, costs, options.band_cut);
-}
-
 RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, const Seeds& seeds,
                     const SegmentationOptions& options) {
   // To look for creases takes longer than the growth itself.
   const std::vector<double> no_creases(mesh.half_edges().n_edges(), 0.0);
   RepairedLabels grown =
       repair_labels(mesh, names, seeds, grow_regions(mesh, seeds), boundary_costs(mesh, no_creases));
-  if (!options.refine_growth || mesh.facet_count() > options.largest_cut) return grown;
+  if (!options.refine_growth || mesh.facet_count() > options.largest_refined) return grown;
   const std::vector<double> costs = boundary_costs(mesh, edge_concavity(mesh));
   const int part_count = static_cast<int>(names.size());
   RepairedLabels refined = repair_labels(
@@ -70,31 +49,12 @@ RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, 
   return refined;
 }
 
-SeparatedLabels label_facets(const TriMesh& mesh, const std::vector<std::string>& names,
-                             const std::vector<SeedStroke>& strokes, const SegmentationOptions& options) {
-  if (names.size() == 1) {
-    require_one_component(mesh);
-    RepairedLabels whole;
-    whole.labels.assign(mesh.facet_count(), 0);
-    return {whole, {}};
-  }
-  const Seeds seeds = collect_seeds(mesh, names, strokes);
-  if (options.method == SegmentationMethod::growth) return {grow(mesh, names, seeds, options), {}};
-  const std::vector<double> concavity = edge_concavity(mesh);
-  const std::vector<double> costs = boundary_costs(mesh, concavity);
-  const int part_count = static_cast<int>(names.size());
-  RepairedLabels repaired = repair_labels(
-      mesh, names, seeds, raw_labels(mesh, seeds, part_count, concavity, costs, options), costs);
-  return separate_contacts(mesh, names, seeds, std::move(repaired), costs, options.contact_limit);
-}
-
 }  // namespace
 
 SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
-                                    const SegmentationOptions& options) {
+                                    const SegmentationOptions& options, SurfacePlaces& places) {
   require_size(mesh, landmarks);
   Segmentation segmentation = trace_boundaries(mesh, part_names(landmarks), std::move(repaired.labels));
-  SurfacePlaces places(mesh, options.snap_limit);
   std::vector<Marker> markers = place_markers(landmarks, places);
   std::vector<Anchor> anchors = place_anchors(mesh, segmentation, landmarks, places);
   std::vector<Concavity> concavity = measure_concavity(mesh, segmentation);
@@ -113,21 +73,63 @@ SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired
           repaired.changed_facets};
 }
 
-SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options) {
-  require_size(mesh, sketch);
-  const std::vector<std::string> names = part_names(sketch);
+SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
+                                    const SegmentationOptions& options) {
   SurfacePlaces places(mesh, options.snap_limit);
-  SeparatedLabels labelled = label_facets(mesh, names, seed_strokes(sketch, places), options);
-  SegmentedMesh result = assemble_segmentation(mesh, std::move(labelled.repaired), sketch, options);
+  return assemble_segmentation(mesh, std::move(repaired), landmarks, options, places);
+}
+
+Segmenter::Segmenter(const TriMesh& mesh, const SegmentationOptions& options)
+    : mesh_(mesh),
+      options_(options),
+      components_(facet_components(mesh)),
+      places_(mesh_, options.snap_limit) {}
+
+void Segmenter::require_one_component() const {
+  const auto second = std::find(components_.begin(), components_.end(), 1);
+  if (second == components_.end()) return;
+  throw InputError("the mesh has " +
+                   std::to_string(1 + *std::max_element(components_.begin(), components_.end())) +
+                   " components (facet " + std::to_string(second - components_.begin()) +
+                   " is not connected to facet 0) but one part; give each component a part of its own, or "
+                   "keep the largest (convert-mesh --keep-largest-component)");
+}
+
+SeparatedLabels Segmenter::label_facets(const std::vector<std::string>& names,
+                                        const std::vector<SeedStroke>& strokes) {
+  if (names.size() == 1) {
+    require_one_component();
+    RepairedLabels whole;
+    whole.labels.assign(mesh_.facet_count(), 0);
+    return {whole, {}};
+  }
+  const Seeds seeds = collect_seeds(mesh_, components_, names, strokes);
+  if (options_.method == SegmentationMethod::growth) return {grow(mesh_, names, seeds, options_), {}};
+  if (!labeller_) labeller_.emplace(mesh_, options_.largest_exact);
+  const int part_count = static_cast<int>(names.size());
+  const std::vector<double>& costs = labeller_->boundary_costs();
+  RepairedLabels repaired =
+      repair_labels(mesh_, names, seeds, labeller_->labels(seeds, part_count, options_.band_cut), costs);
+  return separate_contacts(mesh_, names, seeds, std::move(repaired), costs, options_.contact_limit);
+}
+
+SegmentedMesh Segmenter::segment(const Sketch& sketch) {
+  require_size(mesh_, sketch);
+  SeparatedLabels labelled = label_facets(part_names(sketch), seed_strokes(sketch, places_));
+  SegmentedMesh result =
+      assemble_segmentation(mesh_, std::move(labelled.repaired), sketch, options_, places_);
   for (std::string& contact : labelled.sentences) result.warnings.push_back(std::move(contact));
-  const bool walks = options.method == SegmentationMethod::walker;
-  if ((walks || options.refine_growth) && names.size() > 1 && mesh.facet_count() > options.largest_cut) {
-    result.warnings.push_back(std::string("boundaries are as the ") +
-                              (walks ? "random walks leave" : "growth leaves") +
-                              " them: straightening them is for meshes of at most " +
-                              std::to_string(options.largest_cut) + " facets");
+  const bool is_grown = options_.method == SegmentationMethod::growth && !sketch.parts.empty();
+  if (is_grown && options_.refine_growth && mesh_.facet_count() > options_.largest_refined) {
+    result.warnings.push_back(
+        "boundaries are as the growth leaves them: straightening them is for meshes of at most " +
+        std::to_string(options_.largest_refined) + " facets; --method walker straightens those of any");
   }
   return result;
+}
+
+SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options) {
+  return Segmenter(mesh, options).segment(sketch);
 }
 
 }  // namespace partwise

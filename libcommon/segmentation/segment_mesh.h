@@ -7,6 +7,7 @@
 #include "segmentation/boundary_refinement.h"
 #include "segmentation/label_repair.h"
 #include "segmentation/sketch.h"
+#include "segmentation/surface_places.h"
 
 namespace partwise {
 
@@ -18,14 +19,14 @@ enum class SegmentationMethod {
 struct SegmentationOptions {
   SegmentationMethod method = SegmentationMethod::walker;
   BandCutOptions band_cut;
-  bool refine_growth = true;  ///< straighten the boundaries that growth leaves, see boundary_refinement.h
+  int largest_exact = 50'000;  ///< facets of the largest mesh that is cut on one level; others coarse to fine
+  bool refine_growth = true;   ///< straighten the boundaries that growth leaves, see boundary_refinement.h
   RefinementOptions refinement;
   double contact_limit =
       0.35;  ///< contacts of the walker's parts up to this share of their boundary are taken for accidental
-  int largest_cut =
-      200'000;  ///< facets of the largest mesh whose boundaries are cut: beyond, it takes minutes
-  double snap_limit = 0.05;      ///< how far sketched points may lie from the surface, over the diagonal
-  bool propose_anchors = false;  ///< adds anchors marked as proposed, see anchor_proposals.h
+  int largest_refined = 200'000;  ///< facets of the largest mesh whose growth is: beyond, it takes minutes
+  double snap_limit = 0.05;       ///< how far sketched points may lie from the surface, over the diagonal
+  bool propose_anchors = false;   ///< adds anchors marked as proposed, see anchor_proposals.h
   double tau = 0.1;  ///< concavity above which a part should be decomposed further, over the diagonal
 };
 
@@ -55,5 +56,9 @@ SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const Segm
 /// \throws InputError as segment_mesh
 SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
                                     const SegmentationOptions& options);
+
+/// The same with a search tree that is kept.
+SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
+                                    const SegmentationOptions& options, SurfacePlaces& places);
 
 }  // namespace partwise
