@@ -21,6 +21,8 @@ target_compile_options(partwise_compilation INTERFACE
 set(PARTWISE_SANITIZE "" CACHE STRING "Sanitizers to build with, such as address,undefined or thread")
 if(PARTWISE_SANITIZE)
   target_compile_options(partwise_compilation INTERFACE
-    -fsanitize=${PARTWISE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fsanitize=${PARTWISE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    # GCC sees values through the sanitizers' code that it takes for uninitialized, in the standard library, too.
+    -Wno-maybe-uninitialized)
   target_link_options(partwise_compilation INTERFACE -fsanitize=${PARTWISE_SANITIZE})
 endif()

@@ -38,6 +38,8 @@ io::Json metrics_of(const SegmentedMesh& segmented) {
           {"merged_islands", segmented.merged_islands},
           {"removed_pinches", segmented.removed_pinches},
           {"changed_facets", segmented.changed_facets},
+          {"added_vertices", segmented.added_vertices},
+          {"added_facets", segmented.added_facets},
           {"mean_roughness", mean_roughness(model.mesh, model.segmentation)},
           {"largest_snap_distance", snap / model.mesh.diagonal()},
           {"largest_concavity", concavity}};
@@ -109,6 +111,11 @@ int cut(int argc, char** argv) {
                       "anchors, or replace those of equal name")
           ->type_name("FILE");
   command.options()
+      .add_flag("--split-edges", options.split_edges,
+                "Let boundaries cross facets: smoother on coarse meshes, adds vertices and facets "
+                "(the mesh's own vertices keep their numbers) and says how many")
+      ->excludes(labels_from);
+  command.options()
       .add_flag("--align-boxes", transfer.align_boxes,
                 "With --labels-from: first bring the bounding box of its mesh onto this one's")
       ->needs(labels_from);
@@ -138,6 +145,11 @@ int cut(int argc, char** argv) {
     }
     const SegmentedMesh segmented = command.about(about, [&] { return segment_mesh(mesh, sketch, options); });
     for (const std::string& warning : segmented.warnings) command.warn(warning);
+    if (options.split_edges) {
+      command.warn("edges are split: " + std::to_string(segmented.added_vertices) + " vertices and " +
+                   std::to_string(segmented.added_facets) + " facets are added to the mesh's own " +
+                   std::to_string(mesh.vertex_count()) + " and " + std::to_string(mesh.facet_count()));
+    }
     command.write(io::to_document(segmented.model), {&document}, metrics_of(segmented));
   });
 }

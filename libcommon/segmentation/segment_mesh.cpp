@@ -11,6 +11,7 @@
 #include "segmentation/growth.h"
 #include "segmentation/landmarks.h"
 #include "segmentation/segmenter.h"
+#include "segmentation/split_boundaries.h"
 
 namespace partwise {
 namespace {
@@ -29,6 +30,17 @@ std::vector<std::string> part_names(const Sketch& sketch) {
   std::vector<std::string> names;
   for (const SketchedPart& part : sketch.parts) names.push_back(part.name);
   return names;
+}
+
+/// The sketch for a mesh with the same vertices and surface, but other facets than the one of `places`.
+Sketch without_facets(Sketch sketch, const TriMesh& mesh, SurfacePlaces& places) {
+  auto resolve = [&](Place& place, const std::string& where) {
+    if (std::holds_alternative<SurfacePoint>(place)) place = position(mesh, places.locate(place, where));
+  };
+  for (SketchedMarker& marker : sketch.markers) resolve(marker.place, "marker '" + marker.name + "'");
+  for (SketchedAnchor& anchor : sketch.anchors) resolve(anchor.place, "anchor '" + anchor.name + "'");
+  sketch.mesh.reset();
+  return sketch;
 }
 
 RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, const Seeds& seeds,
@@ -113,11 +125,27 @@ SeparatedLabels Segmenter::label_facets(const std::vector<std::string>& names,
   return separate_contacts(mesh_, names, seeds, std::move(repaired), costs, options_.contact_limit);
 }
 
+SegmentedMesh Segmenter::split(const Sketch& sketch, const std::vector<std::string>& names,
+                               const std::vector<SeedStroke>& strokes, RepairedLabels repaired) {
+  const Seeds seeds = collect_seeds(mesh_, components_, names, strokes);
+  SplitMeshLabels cut = split_along_boundaries(mesh_, names, seeds, repaired.labels, options_.split_rounds);
+  repaired.labels = std::move(cut.labels);
+  SegmentedMesh result =
+      assemble_segmentation(cut.mesh, std::move(repaired), without_facets(sketch, mesh_, places_), options_);
+  result.added_vertices = cut.added_vertices;
+  result.added_facets = cut.added_facets;
+  return result;
+}
+
 SegmentedMesh Segmenter::segment(const Sketch& sketch) {
   require_size(mesh_, sketch);
-  SeparatedLabels labelled = label_facets(part_names(sketch), seed_strokes(sketch, places_));
+  const std::vector<std::string> names = part_names(sketch);
+  const std::vector<SeedStroke> strokes = seed_strokes(sketch, places_);
+  SeparatedLabels labelled = label_facets(names, strokes);
   SegmentedMesh result =
-      assemble_segmentation(mesh_, std::move(labelled.repaired), sketch, options_, places_);
+      options_.split_edges && names.size() > 1
+          ? split(sketch, names, strokes, std::move(labelled.repaired))
+          : assemble_segmentation(mesh_, std::move(labelled.repaired), sketch, options_, places_);
   for (std::string& contact : labelled.sentences) result.warnings.push_back(std::move(contact));
   const bool is_grown = options_.method == SegmentationMethod::growth && !sketch.parts.empty();
   if (is_grown && options_.refine_growth && mesh_.facet_count() > options_.largest_refined) {

@@ -26,7 +26,9 @@ struct SegmentationOptions {
       0.35;  ///< contacts of the walker's parts up to this share of their boundary are taken for accidental
   int largest_refined = 200'000;  ///< facets of the largest mesh whose growth is: beyond, it takes minutes
   double snap_limit = 0.05;       ///< how far sketched points may lie from the surface, over the diagonal
-  bool propose_anchors = false;   ///< adds anchors marked as proposed, see anchor_proposals.h
+  bool split_edges = false;      ///< boundaries may cross facets, which are cut there, see split_boundaries.h
+  int split_rounds = 8;          ///< of averaging along boundaries before facets are cut
+  bool propose_anchors = false;  ///< adds anchors marked as proposed, see anchor_proposals.h
   double tau = 0.1;  ///< concavity above which a part should be decomposed further, over the diagonal
 };
 
@@ -37,11 +39,14 @@ struct SegmentedMesh {
   int merged_islands = 0;             ///< surplus components of parts given to a neighbour
   int removed_pinches = 0;            ///< places where a part touched itself at a vertex
   int changed_facets = 0;             ///< by these two
+  int added_vertices = 0;             ///< by splitting edges: they come after the mesh's own
+  int added_facets = 0;
 };
 
 /// Cuts a mesh into the parts of a sketch and places the sketch's markers and anchors ([Wu11] 4.2).
 ///
-/// Every part is connected, its boundaries are simple curves of edges. The result does not change when the
+/// Every part is connected, its boundaries are simple curves of edges: of the mesh as it is, or with
+/// split_edges of one with more vertices, whose first are the mesh's. The result does not change when the
 /// model is scaled, moved or renumbered, apart from ties in a symmetric model; rotating it changes the
 /// diagonal that the crease field is relative to, by little. A sketch with fewer than two parts makes the
 /// whole mesh one part, called "whole" when the sketch does not name it.

@@ -26,6 +26,8 @@ class Segmenter {
 
  private:
   SeparatedLabels label_facets(const std::vector<std::string>& names, const std::vector<SeedStroke>& strokes);
+  SegmentedMesh split(const Sketch& sketch, const std::vector<std::string>& names,
+                      const std::vector<SeedStroke>& strokes, RepairedLabels repaired);
   void require_one_component() const;
 
   TriMesh mesh_;

@@ -221,3 +221,20 @@ fails() {
   fails 3 "part 'a' has strokes on two unconnected components of the mesh (vertices 0 and 131)" \
     segment two.ply -s across.sketch.json -o out.ply
 }
+
+@test "--split-edges lets boundaries cross facets and says what that adds" {
+  sketch full '"markers": [{"name": "m", "vertex": 5}, {"name": "f", "face": 7, "barycentric": [0.2, 0.3, 0.5]}]' \
+   <<<'{"name": "south", "strokes": [{"vertices": [0, 60]}]}, {"name": "north", "strokes": [{"vertices": [1057, 1000]}]}'
+  segment capsule.ply --sketch full.sketch.json -o whole.ply
+  run segment capsule.ply --sketch full.sketch.json --split-edges -o split.ply
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"warning: edges are split: "*" are added to the mesh's own "* ]]
+  added=$(jq '.metrics.segment.added_vertices' split.json)
+  [ "$added" -gt 0 ]
+  before=$(sed -n 's/^element vertex //p;/end_header/q' whole.ply)
+  [ "$(sed -n 's/^element vertex //p;/end_header/q' split.ply)" -eq $((before + added)) ]
+  segment --check whole.ply split.ply
+  hull split.ply | map-to-hull -o mapped.ply
+  jq -e '.metrics["map-to-hull"].folds == 0' mapped.json
+  fails 2 "excludes" segment capsule.ply --labels-from whole.ply --split-edges -o out.ply
+}
