@@ -6,6 +6,7 @@ EnergyTerm point_term(int vertex_count, const std::vector<VertexTarget>& pulls) 
   const auto count = static_cast<Eigen::Index>(pulls.size());
   EnergyTerm term{Eigen::SparseMatrix<double, Eigen::RowMajor>(count, vertex_count),
                   Eigen::MatrixX3d(count, 3), Eigen::VectorXd(count)};
+  if (count == 0) return term;  // Eigen's makeCompressed writes past the end of a matrix without rows
   term.rows.reserve(Eigen::VectorXi::Constant(count, 1));
   for (Eigen::Index r = 0; r < count; ++r) {
     const VertexTarget& pull = pulls[r];

@@ -115,5 +115,12 @@ TEST(ConvexApproximation, WeighsByHandAndNotByScale) {
   EXPECT_DOUBLE_EQ(larger.weights[1], term.weights[1]);
 }
 
+TEST(PointTerm, OfNoPointsIsEmpty) {
+  const EnergyTerm term = point_term(5, {});
+  EXPECT_EQ(term.rows.rows(), 0);
+  EXPECT_EQ(term.rows.cols(), 5);
+  EXPECT_EQ(energy(term, Points(5, Vec3::Ones())), 0);
+}
+
 }  // namespace
 }  // namespace partwise
