@@ -13,19 +13,8 @@
 namespace partwise {
 namespace {
 
+using tests::body_sketch;
 using tests::part_at;
-using tests::vertex_near;
-
-/// Three parts of the irregular body: top, bottom, and a patch on the side.
-Sketch body_sketch(const TriMesh& body) {
-  Sketch sketch;
-  sketch.parts = {part_at(body, "bottom", {{0, 0, -2}, {0.9, 0, -1}, {-0.8, 0, -1}}),
-                  part_at(body, "top", {{0, 0, 2}, {-0.5, 0.3, 1.1}}),
-                  part_at(body, "side", {{1, 0.3, 1}, {1.2, 0, 0.8}})};
-  sketch.markers = {{"tip", vertex_near(body, {0, 0, 2})}};
-  sketch.anchors = {{"front", {"bottom", "top"}, vertex_near(body, {0, -1, 0.1})}};
-  return sketch;
-}
 
 Sketch with_vertices(Sketch sketch, const std::vector<int>& new_vertex) {
   for (SketchedPart& part : sketch.parts) {

@@ -27,4 +27,7 @@ Renumbered renumbered(const TriMesh& mesh, unsigned seed);
 /// An irregular closed mesh without symmetry: a bent, bumpy ball with a waist.
 TriMesh irregular_body();
 
+/// Three parts of the irregular body: top, bottom, and a patch on the side; a marker and an anchor.
+Sketch body_sketch(const TriMesh& body);
+
 }  // namespace partwise::tests
