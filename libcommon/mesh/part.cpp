@@ -1,5 +1,6 @@
 #include "mesh/part.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace partwise {
@@ -32,12 +33,11 @@ std::vector<std::vector<int>> boundary_loops(const TriMesh& mesh) {
 
 }  // namespace
 
-Part extract_part(const SegmentedModel& model, int part) {
-  const TriMesh& mesh = model.mesh;
+Part extract_piece(const TriMesh& mesh, const std::vector<bool>& inside) {
   std::vector<int> local(mesh.vertex_count(), -1);
   std::vector<int> model_vertex, model_facet;
   for (int f = 0; f < mesh.facet_count(); ++f) {
-    if (model.segmentation.labels[f] != part) continue;
+    if (!inside[f]) continue;
     model_facet.push_back(f);
     for (const int v : mesh.facet(f)) local[v] = 0;
   }
@@ -68,12 +68,42 @@ Part extract_part(const SegmentedModel& model, int part) {
     model_vertex.push_back(-1);
     cap_vertices.push_back(centre);
   }
-  return {part,
+  return {-1,
           TriMesh(std::move(points), std::move(facets)),
           std::move(model_vertex),
           std::move(model_facet),
           std::move(loops),
           std::move(cap_vertices)};
+}
+
+Part extract_part(const SegmentedModel& model, int part) {
+  std::vector<bool> inside;
+  for (const int label : model.segmentation.labels) inside.push_back(label == part);
+  Part result = extract_piece(model.mesh, inside);
+  result.index = part;
+  return result;
+}
+
+int Part::local_vertex(int of_model) const {
+  const auto end = model_vertex.end() - static_cast<std::ptrdiff_t>(cap_vertices.size());
+  const auto found = std::lower_bound(model_vertex.begin(), end, of_model);
+  return found != end && *found == of_model ? static_cast<int>(found - model_vertex.begin()) : -1;
+}
+
+bool Part::is_sphere() const {
+  const auto edges = static_cast<int>(mesh.half_edges().n_edges());
+  if (mesh.vertex_count() - edges + mesh.facet_count() != 2) return false;
+  std::vector<bool> seen(mesh.vertex_count(), false);
+  std::vector<int> reached{0};
+  seen[0] = true;
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    for (const auto w : mesh.half_edges().vv_range(OpenMesh::VertexHandle(reached[next]))) {
+      if (seen[w.idx()]) continue;
+      seen[w.idx()] = true;
+      reached.push_back(w.idx());
+    }
+  }
+  return static_cast<int>(reached.size()) == mesh.vertex_count();
 }
 
 }  // namespace partwise

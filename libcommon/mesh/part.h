@@ -12,7 +12,7 @@ namespace partwise {
 /// by ascending index in the model, then one vertex per loop; local facets the part's facets by ascending
 /// index, then the caps.
 struct Part {
-  int index = 0;                        ///< which part of the model
+  int index = 0;                        ///< which part of the model; -1 for a piece of several
   TriMesh mesh;                         ///< closed
   std::vector<int> model_vertex;        ///< per local vertex: vertex of the model, or -1 for a cap's centre
   std::vector<int> model_facet;         ///< per local facet: facet of the model, or -1 in a cap
@@ -21,7 +21,17 @@ struct Part {
 
   bool is_cap_vertex(int local) const { return model_vertex[local] < 0; }
   bool is_cap_facet(int local) const { return model_facet[local] < 0; }
+
+  /// Local number of a vertex of the model, -1 when it is not in the part.
+  int local_vertex(int of_model) const;
+
+  /// Connected, and without handles: the capped part is a sphere.
+  bool is_sphere() const;
 };
+
+/// The same for any set of facets: `inside` has one entry per facet of `mesh`.
+/// \pre some facet is inside, and they touch along edges only
+Part extract_piece(const TriMesh& mesh, const std::vector<bool>& inside);
 
 /// \pre 0 <= part < model.segmentation.part_count(), the segmentation is valid (see trace_boundaries)
 Part extract_part(const SegmentedModel& model, int part);
