@@ -8,6 +8,7 @@
 #include "io/pending_file.h"
 #include "io/schema_validation.h"
 #include "io/stage_documents.h"
+#include "measure/certificate_document.h"
 #include "measure/figures_table.h"
 #include "measure/measure_document.h"
 
@@ -22,6 +23,8 @@ struct Options {
   std::string source;
   bool table = false;
   bool summary = false;
+  bool certify = false;
+  bool require_certificate = false;
 };
 
 void declare(cli::Command& command, Options& options) {
@@ -36,6 +39,10 @@ void declare(cli::Command& command, Options& options) {
   app.add_option("--source", options.source, "the source's mesh, to check that its facets are kept")
       ->check(CLI::ExistingFile);
   app.add_flag("--table", options.table, "print the figures as text; of several inputs a line for each")
+      ->group("Common");
+  app.add_flag("--certify", options.certify,
+               "recompute from the files alone whether maps are one-to-one, and print the proof; inputs are "
+               "compatible meshes, hull maps or cross maps")
       ->group("Common");
   app.add_flag("--summary", options.summary, "inputs are measure.json files: print a line for each")
       ->group("Common");
@@ -111,6 +118,36 @@ void measure_all(cli::Command& command, const Options& options, const std::strin
   if (options.table) {
     print(measures.size() == 1 ? figures_table(measures.front()) : summary_table(measures));
   }
+  for (const NamedMeasure& measure : measures) {
+    if (!options.require_certificate) break;  // the figures say it already
+    const io::Json& certificate = measure.document.at("certificate");
+    if (!certificate.at("one_to_one").get<bool>()) {
+      command.check_certificate(certificate.at("reason").get<std::string>());
+    }
+  }
+}
+
+Certificate certified(cli::Command& command, const std::string& path) {
+  const io::Document document = command.read(path, {"compatible", "hullmap", "crossmap"});
+  return command.about(path, [&] {
+    const std::string kind = document.metadata.at("schema").get<std::string>();
+    if (kind == "partwise/hullmap-1") return certify(io::read_hull_map(document));
+    if (kind == "partwise/crossmap-1") return certify(io::read_cross_map(document));
+    return certify(io::read_compatible_mesh(document));
+  });
+}
+
+/// Prints the certificates of all inputs.
+void certify_all(cli::Command& command, const std::vector<std::string>& paths) {
+  std::string text, missing;
+  for (const std::string& path : paths) {
+    const Certificate certificate = certified(command, path);
+    text += certificate_text(path, certificate);
+    if (certificate.one_to_one()) continue;
+    missing += (missing.empty() ? "" : "; ") + path + ": " + certificate.first_reason();
+  }
+  print(text);
+  command.check_certificate(missing);
 }
 
 io::Json read_measure(cli::Command& command, const std::string& path) {
@@ -144,10 +181,14 @@ int main(int argc, char** argv) {
                        "measure compatible.ply --table -o measure.json");
   Options options;
   declare(command, options);
+  const bool& require_certificate = command.certificate();
   const std::string& output =
       command.output_file("where to write the figures: X.json, or - for standard output");
   return command.run(argc, argv, [&] {
-    if (options.summary) {
+    options.require_certificate = require_certificate;
+    if (options.certify) {
+      certify_all(command, options.inputs);
+    } else if (options.summary) {
       summarize(command, options.inputs);
     } else {
       measure_all(command, options, output);

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "cli/command.h"
+#include "io/chart_tables.h"
 #include "io/stage_documents.h"
 
 namespace {
@@ -25,6 +26,8 @@ void declare_options(CLI::App& app, std::string& coordinates, ReconstructOptions
          "its hull")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag("!--leave-folds", options.one_to_one,
+               "leave the map as the parts' maps make it, folds at their seams included");
 }
 
 io::Json metrics_of(const Reconstruction& result, Coordinates coordinates) {
@@ -32,6 +35,11 @@ io::Json metrics_of(const Reconstruction& result, Coordinates coordinates) {
                    {"ambiguous", result.metrics.ambiguous},
                    {"on_caps", result.metrics.on_caps},
                    {"boundary_gap_max", result.metrics.boundary_gap_max}};
+  if (!result.metrics.charts.empty()) {
+    metrics.update(io::chart_metrics(result.metrics.charts, result.mesh.part_names));
+    metrics["moved_vertices"] = result.metrics.moved_vertices;
+    metrics["curves_held"] = result.metrics.curves_held;
+  }
   if (coordinates != Coordinates::facet) metrics["largest_projection"] = result.metrics.largest_projection;
   return metrics;
 }
@@ -48,6 +56,7 @@ int main(int argc, char** argv) {
   ReconstructOptions options;
   std::string coordinates = "facet";
   declare_options(command.options(), coordinates, options);
+  command.certificate();
   return command.run(argc, argv, [&] {
     options.coordinates = kCoordinates.at(coordinates);
     const io::Document document = command.read(input, {"crossmap"});
@@ -57,6 +66,9 @@ int main(int argc, char** argv) {
       command.warn(std::to_string(result.metrics.ambiguous) +
                    " vertices lie behind several facets of a folded hull map; took those nearest to their "
                    "neighbours, relocate may unfold them");
+    }
+    if (options.one_to_one) {
+      command.check_certificate(io::uncertified(result.metrics.charts, result.mesh.part_names));
     }
     command.write(io::to_document(result.mesh), {&document}, metrics_of(result, options.coordinates));
   });

@@ -1,6 +1,7 @@
 #include "remeshing/relocate.h"
 
 #include "cli/command.h"
+#include "io/chart_tables.h"
 #include "io/stage_documents.h"
 
 namespace {
@@ -40,8 +41,8 @@ void declare_options(CLI::App& app, RelocateOptions& options) {
       ->capture_default_str();
 }
 
-io::Json metrics_of(const RelocateMetrics& m) {
-  return {
+io::Json metrics_of(const RelocateMetrics& m, const std::vector<std::string>& part_names) {
+  io::Json metrics{
       {"critical_points", m.critical_points},
       {"critical_points_reached", m.critical_reached},
       {"rounds", m.rounds},
@@ -49,6 +50,8 @@ io::Json metrics_of(const RelocateMetrics& m) {
       {"flipped_faces", {{"before", m.flipped_before}, {"after", m.flipped_after}}},
       {"target_vertices_rms_distance", {{"before", m.rms_distance_before}, {"after", m.rms_distance_after}}},
       {"target_vertices_max_distance", {{"before", m.max_distance_before}, {"after", m.max_distance_after}}}};
+  if (!m.charts.empty()) metrics.update(io::chart_metrics(m.charts, part_names));
+  return metrics;
 }
 
 }  // namespace
@@ -62,6 +65,7 @@ int main(int argc, char** argv) {
   command.output();
   RelocateOptions options;
   declare_options(command.options(), options);
+  command.certificate();
   return command.run(argc, argv, [&] {
     const io::Document document = command.read(input, {"compatible"});
     const Relocation result =
@@ -71,6 +75,10 @@ int main(int argc, char** argv) {
                    " facets face the target's inside; try more "
                    "--unfold-sweeps, or look at the folds that hull-to-hull reports");
     }
-    command.write(io::to_document(result.mesh), {&document}, metrics_of(result.metrics));
+    command.check_certificate(result.metrics.charts.empty()
+                                  ? "the mesh came without charts; see the warnings of reconstruct"
+                                  : io::uncertified(result.metrics.charts, result.mesh.part_names));
+    command.write(io::to_document(result.mesh), {&document},
+                  metrics_of(result.metrics, result.mesh.part_names));
   });
 }

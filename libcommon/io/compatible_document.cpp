@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "error.h"
+#include "io/chart_tables.h"
 #include "io/model_tables.h"
 #include "io/stage_documents.h"
 #include "io/table_builder.h"
@@ -22,35 +23,17 @@ Json part_facts(const CompatibleMesh& mesh) {
   return parts;
 }
 
-/// The columns are not called u, v, w: viewers would take them for texture coordinates.
 Element vertex_element(const CompatibleMesh& mesh) {
-  std::vector<int> faces;
-  std::vector<double> coordinates[3];
-  for (const SurfacePoint& image : mesh.map.images()) {
-    faces.push_back(image.facet);
-    for (int i = 0; i < 3; ++i) coordinates[i].push_back(image.barycentric[i]);
-  }
-  return ElementBuilder("vertex", mesh.points.size())
-      .points(mesh.points)
-      .integers("target_face", faces)
-      .numbers("target_u", coordinates[0])
-      .numbers("target_v", coordinates[1])
-      .numbers("target_w", coordinates[2])
-      .build();
+  ElementBuilder builder("vertex", mesh.points.size());
+  builder.points(mesh.points);
+  return add_surface_points(builder, "target", mesh.map.images()).build();
 }
 
-std::vector<SurfacePoint> read_images(const ElementReader& table, const TriMesh& target) {
-  const auto faces = table.integers("target_face", 0, target.facet_count() - 1);
-  const auto u = table.numbers("target_u", -1e-12, 2), v = table.numbers("target_v", -1e-12, 2),
-             w = table.numbers("target_w", -1e-12, 2);
-  std::vector<SurfacePoint> images;
-  for (std::size_t row = 0; row < faces.size(); ++row) {
-    images.push_back({faces[row], Vec3(u[row], v[row], w[row])});
-    if (!(std::abs(images.back().barycentric.sum() - 1) <= 1e-9)) {
-      table.fail(row, "target_w", "the barycentric coordinates do not add to 1");
-    }
-  }
-  return images;
+Element target_vertex_element(const CompatibleMesh& mesh) {
+  ElementBuilder builder("target_vertex", mesh.target.vertex_count());
+  builder.points(mesh.target.points());
+  if (!mesh.inverse.empty()) add_surface_points(builder, "source", mesh.inverse);
+  return builder.build();
 }
 
 Element critical_point_element(const std::vector<CriticalPoint>& points) {
@@ -102,12 +85,13 @@ Document to_document(const CompatibleMesh& mesh) {
           .part_colours(mesh.source_labels)
           .build(),
       ElementBuilder("source_vertex", mesh.source.vertex_count()).points(mesh.source.points()).build(),
-      ElementBuilder("target_vertex", mesh.target.vertex_count()).points(mesh.target.points()).build(),
+      target_vertex_element(mesh),
       ElementBuilder("target_face", mesh.target.facet_count())
           .facets(mesh.target.facets())
           .integers("part", mesh.target_labels)
           .build(),
       critical_point_element(mesh.critical_points)};
+  add_charts(document, mesh);
   return document;
 }
 
@@ -122,7 +106,7 @@ CompatibleMesh read_compatible_mesh(const Document& document) {
   }
   TriMesh source = read_mesh(tables, "source_vertex", "face");
   TriMesh target = read_mesh(tables, "target_vertex", "target_face");
-  SurfaceMap map(source, target, read_images(vertices, target));
+  SurfaceMap map(source, target, read_surface_points(vertices, "target", target));
   std::vector<MarkerPair> markers = read_marker_pairs(metadata["markers"], source, target);
   std::vector<CriticalPoint> critical_points = read_critical_points(tables, target);
   CompatibleMesh mesh{std::move(source),
@@ -134,6 +118,7 @@ CompatibleMesh read_compatible_mesh(const Document& document) {
                       std::move(names),
                       std::move(markers),
                       std::move(critical_points)};
+  read_charts(document, mesh);
   metadata["parts"].require_consistent(part_facts(mesh));
   return mesh;
 }

@@ -36,7 +36,7 @@ constexpr Figure kFigures[] = {
     {"/self_intersections/source", Format::count, "", "the source's own"},
     {"/self_intersections/target", Format::count, "", "the target's own"},
     {"/hull_folds/total", Format::count, "folds", "folded facets in the maps onto hulls"},
-    {"/one_to_one", Format::text, "", "whether the map is certified one-to-one"},
+    {"/one_to_one", Format::text, "1:1", "whether the map is certified one-to-one"},
     {"/l2_stretch_efficiency", Format::number, "l2eff", "L2 stretch efficiency, 1 is best"},
     {"/symmetric_dirichlet", Format::number, "symdir", "symmetric Dirichlet energy, 4 is an isometry"},
     {"/symmetric_dirichlet_median", Format::number, "", "its median"},

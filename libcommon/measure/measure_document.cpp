@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "measure/certificate_document.h"
+
 namespace partwise {
 namespace {
 
@@ -99,7 +101,6 @@ void add_stages(const StageFigures& stages, Figures& figures) {
   } else {
     figures.undefined("boundary_gap_max", "the document lacks what reconstruct measures");
   }
-  figures.set("one_to_one", stages.one_to_one);
 }
 
 Json truth_figures(const GroundTruthErrors& errors) {
@@ -128,6 +129,8 @@ Json measure_document(const Measurement& measurement, const StageFigures& stages
   add_distortion(measurement, figures);
   add_markers(measurement, figures);
   add_stages(stages, figures);
+  figures.set("one_to_one", measurement.certificate.one_to_one());
+  figures.set("certificate", certificate_json(measurement.certificate));
   if (measurement.truth) figures.set("truth", truth_figures(*measurement.truth));
   return std::move(figures).finished();
 }

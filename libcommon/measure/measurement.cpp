@@ -74,6 +74,7 @@ Measurement measure(const CompatibleMesh& mesh, const SurfaceDistanceOptions& op
     result.distortion = distortion(mesh.source.points(), mesh.points, facets);
   }
   result.marker_errors = named_marker_errors(mesh, result.target_diagonal);
+  result.certificate = certify(mesh);
   if (truth) result.truth = ground_truth_errors(mesh.map, *truth, mesh.target);
   return result;
 }

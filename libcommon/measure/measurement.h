@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/certificate.h"
 #include "measure/distortion.h"
 #include "measure/ground_truth.h"
 #include "measure/surface_distance.h"
@@ -40,6 +41,7 @@ struct Measurement {
       distortion;  ///< of the source's facets to the compatible mesh's; none without area
   std::vector<MarkerError> marker_errors;
   std::optional<GroundTruthErrors> truth;
+  Certificate certificate;  ///< whether the map is one-to-one, recomputed
 };
 
 /// \pre truth, when given, fits the meshes

@@ -46,8 +46,6 @@ StageFigures stage_figures(const Json& metrics) {
   }
   const Json gap = member(metrics, {"reconstruct", "boundary_gap_max"});
   if (gap.is_number()) figures.boundary_gap_max = gap.get<double>();
-  const char* last = member(metrics, {"relocate"}).is_null() ? "reconstruct" : "relocate";
-  figures.one_to_one = is_true(member(metrics, {last, "one_to_one"}));
   return figures;
 }
 

@@ -20,14 +20,11 @@ struct HullFoldCounts {
 struct StageFigures {
   std::optional<HullFoldCounts> hull_folds;  ///< none unless all three maps have been counted
   std::optional<double> boundary_gap_max;    ///< over the target's diagonal
-  bool one_to_one = false;                   ///< the last stage that moved vertices certifies the whole map
 };
 
 /// Reads the metrics of a compatible mesh: `source.map-to-hull`, `target.map-to-hull` and `hull-to-hull`,
-/// each with `hull_folds.parts` (folds by the part's name) or `parts` (an array of objects with `name` and
-/// `folds`), and `one_to_one`, whether the whole map is certified; `reconstruct.boundary_gap_max`; and
-/// `one_to_one` of `relocate` or else `reconstruct`. Members that are missing or of another type leave their
-/// figure undefined.
+/// each with `parts` (by name, each with its `folds`) and `one_to_one`, whether all parts are certified; and
+/// `reconstruct.boundary_gap_max`. Members that are missing or of another type leave their figure undefined.
 StageFigures stage_figures(const io::Json& metrics);
 
 }  // namespace partwise

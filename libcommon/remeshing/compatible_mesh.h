@@ -4,6 +4,7 @@
 
 #include "mapping/domains.h"
 #include "mesh/surface_point.h"
+#include "remeshing/chart.h"
 
 namespace partwise {
 
@@ -26,6 +27,12 @@ struct CompatibleMesh {
   std::vector<std::string> part_names;
   std::vector<MarkerPair> markers;
   std::vector<CriticalPoint> critical_points;  ///< of the target; empty before `critical-points`
+
+  /// Where the map is one-to-one: spheres on which both surfaces are laid out piece by piece without a fold.
+  /// Together the pieces are everything. Empty when that could not be had.
+  std::vector<Chart> charts = {};
+  std::vector<AddedVertex> added_vertices = {};  ///< of the source's side of the charts
+  std::vector<SurfacePoint> inverse = {};  ///< with charts: per target vertex, the point of the source there
 };
 
 }  // namespace partwise

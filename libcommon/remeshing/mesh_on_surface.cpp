@@ -15,10 +15,11 @@ MeshOnSurface::MeshOnSurface(const CompatibleMesh& mesh)
       points_(mesh.points),
       normals_(mesh.points.size()),
       images_(mesh.map.images()),
-      pinned_(mesh.points.size(), false) {
+      pinned_(mesh.points.size(), false),
+      guard_(mesh) {
   for (int v = 0; v < source_.vertex_count(); ++v) {
     place(v, images_[v]);
-    pinned_[v] = source_.half_edges().is_boundary(OpenMesh::VertexHandle(v));
+    pinned_[v] = source_.half_edges().is_boundary(OpenMesh::VertexHandle(v)) || guard_.is_held(v);
   }
   for (const MarkerPair& marker : mesh.markers) {
     int corner = 0;
@@ -68,10 +69,11 @@ void MeshOnSurface::place(int vertex, const SurfacePoint& image) {
   images_[vertex] = image;
   points_[vertex] = position(target(), image);
   normals_[vertex] = normal_at(image);
+  guard_.place(vertex, image);
 }
 
 bool MeshOnSurface::move_to(int vertex, const SurfacePoint& image, double least_quality) {
-  if (pinned_[vertex]) return false;
+  if (pinned_[vertex] || !allows(vertex, image)) return false;
   const SurfacePoint old = images_[vertex];
   const RingState before = ring_state(vertex);
   place(vertex, image);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "mesh/surface_walk.h"
-#include "remeshing/compatible_mesh.h"
+#include "remeshing/map_guard.h"
 
 namespace partwise {
 
 /// A compatible mesh whose vertices move over the target without leaving it and without folding its facets.
+///
+/// A map that is one-to-one stays so (see MapGuard); vertices on the boundaries of its charts are pinned.
 ///
 /// A facet's quality is 4 sqrt(3) times its area, signed by the target's normal at the facet's image, over
 /// the sum of its squared edges: 1 for an equilateral facet on the target's outside, negative when it is
@@ -34,7 +36,8 @@ class MeshOnSurface {
   int flipped_count() const;
   int flipped_around(int vertex) const { return ring_state(vertex).flipped; }
 
-  /// A pinned vertex does not move: markers and the boundary of an open source are, from the start.
+  /// A pinned vertex does not move: markers, the boundary of an open source and those of charts are, from the
+  /// start.
   bool is_pinned(int vertex) const { return pinned_[vertex]; }
   void pin(int vertex) { pinned_[vertex] = true; }
   void unpin(int vertex) { pinned_[vertex] = false; }
@@ -47,7 +50,10 @@ class MeshOnSurface {
   /// worst of them worse than before and below `least_quality`. Returns whether it moved.
   bool move_to(int vertex, const SurfacePoint& image, double least_quality = kLeastQuality);
 
-  /// Moves `vertex` unconditionally.
+  /// Whether the map stays one-to-one with `vertex` at `image`, if it is so now.
+  bool allows(int vertex, const SurfacePoint& image) const { return guard_.allows(vertex, image); }
+
+  /// Moves `vertex` unconditionally. \pre allows(vertex, image)
   void place(int vertex, const SurfacePoint& image);
 
  private:
@@ -64,6 +70,7 @@ class MeshOnSurface {
   Points points_, normals_;
   std::vector<SurfacePoint> images_;
   std::vector<bool> pinned_;
+  MapGuard guard_;
 };
 
 }  // namespace partwise

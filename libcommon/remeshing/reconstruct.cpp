@@ -205,7 +205,13 @@ Reconstruction reconstruct(const CrossMap& map, const ReconstructOptions& option
                       target.segmentation.names,
                       map.markers,
                       {}};
-  return {std::move(mesh), placement.metrics()};
+  if (!options.one_to_one) return {std::move(mesh), placement.metrics()};
+  OneToOneMap whole = make_one_to_one(mesh, charts_of_parts(map.target));
+  ReconstructMetrics metrics = placement.metrics();
+  metrics.charts = std::move(whole.charts);
+  metrics.moved_vertices = whole.moved_vertices;
+  metrics.curves_held = whole.curves_held;
+  return {std::move(whole.mesh), std::move(metrics)};
 }
 
 }  // namespace partwise

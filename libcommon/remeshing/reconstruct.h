@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mapping/domains.h"
-#include "remeshing/compatible_mesh.h"
+#include "remeshing/one_to_one_map.h"
 
 namespace partwise {
 
@@ -16,6 +16,7 @@ struct ReconstructOptions {
   Coordinates coordinates = Coordinates::facet;
   /// Reach of the averaging over the mean edge length of Q^t_k; > 0.
   double radius = 1.5;
+  bool one_to_one = true;  ///< move vertices until the whole map is one-to-one, see one_to_one_map.h
 };
 
 /// What `reconstruct` met on its way.
@@ -26,6 +27,10 @@ struct ReconstructMetrics {
   /// diagonal: 0 (within rounding) when the map is continuous across parts.
   double boundary_gap_max = 0;
   double largest_projection = 0;  ///< averaging only: from average to surface, over the target's diagonal
+  std::vector<ChartFigures>
+      charts;               ///< on which the whole map was unfolded; empty when that was not asked for
+  int moved_vertices = 0;   ///< by that
+  bool curves_held = true;  ///< false: source vertices left the curves between parts for it
 };
 
 struct Reconstruction {
@@ -45,6 +50,9 @@ struct Reconstruction {
 /// As such coordinates reproduce the points they belong to, this is the weighted average of the target's
 /// vertices, and `convex_hull` and `mean_value` agree up to rounding. Differs from [Wu11]: the average is
 /// then projected to the target, on the sheet where the facet's place is, because the result is a map.
+///
+/// Then the joined map is made one-to-one over the seams of the parts (make_one_to_one); the mesh has charts
+/// when that succeeded.
 /// \throws InputError when the boundary placements do not fit the target
 Reconstruction reconstruct(const CrossMap& map, const ReconstructOptions& options = {});
 

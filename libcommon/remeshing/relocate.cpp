@@ -104,7 +104,12 @@ Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) 
   const Distances after = coverage(moving);
   metrics.rms_distance_after = after.rms;
   metrics.max_distance_after = after.max;
-  return {with_images(mesh, moving), metrics};
+  CompatibleMesh result = with_images(mesh, moving);
+  if (!result.charts.empty()) {
+    metrics.charts = check_charts(result);
+    result.inverse = inverse_map(result);
+  }
+  return {std::move(result), std::move(metrics)};
 }
 
 }  // namespace partwise

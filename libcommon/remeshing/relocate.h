@@ -3,6 +3,7 @@
 #include "geometry/mean_value_weights.h"
 #include "remeshing/coverage_fit.h"
 #include "remeshing/critical_fit.h"
+#include "remeshing/one_to_one_map.h"
 #include "remeshing/unfold.h"
 
 namespace partwise {
@@ -25,6 +26,7 @@ struct RelocateMetrics {
   int flipped_before = 0, flipped_after = 0;
   double rms_distance_before = 0, rms_distance_after = 0;  ///< target's vertices to the mesh, over l
   double max_distance_before = 0, max_distance_after = 0;
+  std::vector<ChartFigures> charts;  ///< of the result; empty when the mesh came without charts
 };
 
 struct Relocation {
@@ -39,7 +41,7 @@ struct Relocation {
 ///
 /// Every vertex stays exactly on the target and the map is kept. Markers (at source vertices), critical
 /// points that were reached, and the boundary of an open source stay in place during relocation. No step adds
-/// a flipped facet.
+/// a flipped facet, and a map that is one-to-one stays so; its inverse is made anew.
 ///
 /// Differs from [Wu11]: a vertex walks over the target instead of leaving it and being projected back, so
 /// that it never lands on another sheet that is near in space; its step is lambda times the way to the

@@ -98,7 +98,7 @@ void improve(MeshOnSurface& mesh, int vertex, double epsilon, const std::vector<
   constexpr int halvings = 6;
   for (int i = 0; i < halvings && !step.isZero(0); ++i, step /= 2) {
     const SurfacePoint next = mesh.walker().towards(old, start + step);
-    if (energy.at(position(mesh.target(), next)) >= before) continue;
+    if (energy.at(position(mesh.target(), next)) >= before || !mesh.allows(vertex, next)) continue;
     mesh.place(vertex, next);
     if (mesh.flipped_around(vertex) <= flipped) return;
     mesh.place(vertex, old);

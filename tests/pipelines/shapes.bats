@@ -59,4 +59,18 @@ halves() {
   cross_parameterize torus.ply torus.sketch.json fat-torus.ply fat-torus.sketch.json out
   check_result out "$(facets torus)" "$(facets fat-torus)"
   jq -e '.rms_distance < 0.01 and .flipped_faces == 0 and .hull_folds.total == 0 and .boundary_gap_max < 1e-9' out/measure.json
+  # No sphere holds a torus: each half is certified, and their common boundary is one curve.
+  jq -e '.certificate.pieces | length == 2' out/measure.json
+  "$PARTWISE_BIN/measure" --certify --require-certificate out/compatible.ply out/crossmap.ply
+}
+
+@test "a torus in one part is mapped, but not certified" {
+  shape torus
+  shape fat-torus
+  run cross_parameterize torus.ply "" fat-torus.ply "" out
+  [ "$status" -eq 0 ]
+  [[ $output == *"not certified one-to-one"*"handle"* ]]
+  jq -e '.one_to_one == false and (.certificate.reason | length > 0)' out/measure.json
+  run "$PARTWISE_BIN/measure" --certify --require-certificate out/compatible.ply
+  [ "$status" -eq 1 ]
 }

@@ -15,6 +15,25 @@ setup() {
   jq -e '.metrics.reconstruct | .vertices == 386 and .ambiguous == 0 and .boundary_gap_max == 0' compatible.json
 }
 
+@test "the map is certified one-to-one, and the document proves it" {
+  reconstruct cross.ply --require-certificate -o compatible.ply
+  jq -e '.metrics.reconstruct | .one_to_one and .charts[0].folds == 0' compatible.json
+  jq -e '.charts | length == 1' compatible.json
+  run measure --certify --require-certificate compatible.ply
+  [ "$status" -eq 0 ]
+  [[ $output == *"compatible.ply: certified one-to-one"*"source: 768 facets, 0 folded, Euler 2, degree 1"* ]]
+}
+
+@test "folds can be left, and then nothing is certified" {
+  reconstruct cross.ply --leave-folds -o left.ply
+  jq -e '.charts == []' left.json
+  run measure --certify left.ply
+  [ "$status" -eq 0 ]
+  [[ $output == *"not certified"* ]]
+  run measure --require-certificate left.ply --table
+  [ "$status" -eq 1 ]
+}
+
 @test "a gap between two parts' maps is reported" {
   sample_crossmap halves.ply halves
   reconstruct halves.ply -o compatible.ply

@@ -17,6 +17,24 @@ setup() {
   jq -e '.metrics.relocate | .critical_points_reached > 5 and .rounds >= 1 and .fit_moves > 0' relocated.json
 }
 
+@test "a map that is one-to-one stays so" {
+  relocate critical.ply --require-certificate -o relocated.ply
+  jq -e '.metrics.relocate | .one_to_one and .charts[0].folds == 0' relocated.json
+  measure --certify --require-certificate relocated.ply
+  measure relocated.ply -o before.json
+  jq -e '.one_to_one' before.json
+}
+
+@test "without a certified start, relocate says so" {
+  reconstruct cross.ply --leave-folds | critical-points -o left.ply
+  run relocate left.ply -o relocated.ply
+  [ "$status" -eq 0 ]
+  [[ $output == *"not certified one-to-one"* ]]
+  run relocate left.ply --require-certificate -o never.ply
+  [ "$status" -eq 1 ]
+  [ ! -e never.ply ]
+}
+
 @test "every step can be switched off" {
   relocate critical.ply --critical-iterations 0 --rounds 0 --relax-sweeps 0 --fit-rounds 0 --unfold-sweeps 0 -o same.ply
   measure critical.ply -o before.json

@@ -132,15 +132,29 @@ CompatibleMesh sample_compatible_mesh() {
   }
   SurfaceMap map(source, target, images);
   Points points = map.positions(target);
-  return {source,
-          target,
-          std::move(points),
-          std::move(map),
-          three_way_labels(source),
-          three_way_labels(target),
-          {"top", "left", "right"},
-          {{"nose", some_point(1, random), some_point(2, random)}},
-          {{7, -0.1, 2.0 / 3}, {3, 1e-300, 0}}};
+  CompatibleMesh mesh{source,
+                      target,
+                      std::move(points),
+                      std::move(map),
+                      three_way_labels(source),
+                      three_way_labels(target),
+                      {"top", "left", "right"},
+                      {{"nose", some_point(1, random), some_point(2, random)}},
+                      {{7, -0.1, 2.0 / 3}, {3, 1e-300, 0}}};
+  // Their directions need not make a map: documents say what is there, certificates whether it holds.
+  for (const std::vector<int>& parts : {std::vector<int>{0, 2}, std::vector<int>{1}}) {
+    Chart chart{parts, {}};
+    const Part piece = extract_piece(target, facets_of(chart, mesh.target_labels));
+    for (const Vec3& point : piece.mesh.points()) chart.directions.push_back(point / 3 + Vec3(0, 0, 0.1));
+    mesh.charts.push_back(std::move(chart));
+  }
+  const Facet& f = source.facet(3);
+  mesh.added_vertices = {{{f[0], f[1], 1.0 / 3}, some_point(8, random)},
+                         {{f[2], f[1], 0.25}, some_point(0, random)}};
+  for (int v = 0; v < target.vertex_count(); ++v) {
+    mesh.inverse.push_back(some_point(static_cast<int>(random() % source.facet_count()), random));
+  }
+  return mesh;
 }
 
 }  // namespace partwise::tests
