@@ -17,6 +17,10 @@ void declare_options(CLI::App& app, RelocateOptions& options) {
          "Share of the way to the weighted mean of the neighbours in each round, above 0 and at most 1")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  app.add_option("--relax-iterations", options.relaxation.iterations,
+                 "Newton iterations that even out the whole map's distortion")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
   app.add_option("--relax-sweeps", options.relax_sweeps, "Sweeps that even out the map's distortion")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();

@@ -19,17 +19,24 @@ class FoldoverFree {
   Vec3 gradient() const;
   Eigen::Matrix3d hessian() const;
 
+  /// With respect to all corners, (x, y, z) of corner 0, 1, 2; the Hessian is positive semidefinite likewise.
+  Eigen::Matrix<double, 9, 1> full_gradient() const;
+  Eigen::Matrix<double, 9, 9> full_hessian() const;
+
  private:
   double numerator() const { return dirichlet_ + area_ * (1 + ratio_ * ratio_); }
+  double curvature_along_ratio() const;
+  Vec3 dirichlet_gradient(int corner) const;
+  Vec3 ratio_gradient(int corner) const;
 
+  std::array<Vec3, 3> p_;
+  Vec3 cotangents_;
   double area_;
+  double scale_;  // 1 / (2 area height)
   double ratio_;
   double dirichlet_;
-  double cotangents_;  // of the two other corners
   double chi_;
   double chi_slope_;
-  Vec3 dirichlet_gradient_;
-  Vec3 ratio_gradient_;
 };
 
 }  // namespace partwise

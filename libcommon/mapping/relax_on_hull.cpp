@@ -11,13 +11,14 @@
 #include "energy/symmetric_dirichlet.h"
 #include "error.h"
 #include "mapping/hull_references.h"
+#include "solve/facet_hessians.h"
 #include "solve/sparse_cholesky.h"
 
 namespace partwise {
 namespace {
 
 using Places = std::vector<StarHull::Place>;
-using LocalHessian = Eigen::Matrix<double, 6, 6>;
+using LocalHessian = FacetHessians::Block;
 using LocalGradient = Eigen::Matrix<double, 6, 1>;
 
 /// Replaces negative curvature by positive, so that the Newton step is a descent.
@@ -35,52 +36,6 @@ void make_positive(LocalHessian& hessian) {
   const LocalGradient values = eigen.eigenvalues().cwiseMax(1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff());
   hessian = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
-
-/// Adds 6 x 6 blocks of facets into a sparse matrix whose pattern and slots are found once.
-class Assembly {
- public:
-  Assembly(const Facets& facets, const std::vector<int>& unknowns, int unknown_count)
-      : matrix_(2 * unknown_count, 2 * unknown_count) {
-    std::vector<Eigen::Triplet<double>> triplets;
-    visit(facets, unknowns,
-          [&](int row, int column, std::size_t, int, int) { triplets.emplace_back(row, column, 1); });
-    matrix_.setFromTriplets(triplets.begin(), triplets.end());
-    visit(facets, unknowns, [&](int row, int column, std::size_t, int, int) {
-      const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
-      const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
-      slots_.push_back(static_cast<int>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr()));
-    });
-  }
-
-  Eigen::SparseMatrix<double>& assemble(const Facets& facets, const std::vector<int>& unknowns,
-                                        const std::vector<LocalHessian>& blocks) {
-    std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
-    std::size_t next = 0;
-    visit(facets, unknowns, [&](int, int, std::size_t facet, int i, int j) {
-      matrix_.valuePtr()[slots_[next++]] += blocks[facet](i, j);
-    });
-    return matrix_;
-  }
-
- private:
-  /// Calls f(row, column, facet, local row, local column) for every entry of the lower triangle.
-  template <class Function>
-  static void visit(const Facets& facets, const std::vector<int>& unknowns, Function f) {
-    for (std::size_t t = 0; t < facets.size(); ++t) {
-      for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 6; ++j) {
-          const int u = unknowns[facets[t][i / 2]], v = unknowns[facets[t][j / 2]];
-          if (u < 0 || v < 0) continue;
-          const int row = 2 * u + i % 2, column = 2 * v + j % 2;
-          if (row >= column) f(row, column, t, i, j);
-        }
-      }
-    }
-  }
-
-  Eigen::SparseMatrix<double> matrix_;
-  std::vector<int> slots_;
-};
 
 class Relaxation {
  public:
@@ -113,18 +68,9 @@ class Relaxation {
   int unknown_count_ = 0;
   Places places_;
   std::vector<Eigen::Matrix<double, 3, 2>> tangents_;
-  Assembly assembly_;
+  FacetHessians assembly_;
   SparseCholesky solver_;
 };
-
-std::vector<int> numbered_unknowns(int vertex_count, const std::vector<bool>& fixed) {
-  std::vector<int> unknowns(vertex_count, -1);
-  int next = 0;
-  for (int v = 0; v < vertex_count; ++v) {
-    if (fixed.empty() || !fixed[v]) unknowns[v] = next++;
-  }
-  return unknowns;
-}
 
 Relaxation::Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
                        const Points& start, const std::vector<bool>& fixed,
@@ -138,7 +84,7 @@ Relaxation::Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_we
       unknown_count_(1 + *std::max_element(unknowns_.begin(), unknowns_.end())),
       places_(hull.project(start)),
       tangents_(mesh.vertex_count()),
-      assembly_(facets_, unknowns_, unknown_count_) {
+      assembly_(facets_, unknowns_) {
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     const auto& [a, b, c] = facets_[f];
     facet_weights_.push_back(std::min({vertex_weights[a], vertex_weights[b], vertex_weights[c]}));
@@ -201,7 +147,7 @@ Eigen::VectorXd Relaxation::newton_step() {
     blocks[f] = facet_weights_[f] * (tangent.transpose() * facet.full_hessian() * tangent);
     make_positive(blocks[f]);
   }
-  Eigen::SparseMatrix<double>& hessian = assembly_.assemble(facets_, unknowns_, blocks);
+  Eigen::SparseMatrix<double>& hessian = assembly_.assemble(blocks);
   add_pulls(gradient, hessian);
   if (!solver_.factorize(hessian)) {
     throw ComputationError("the distortion's Hessian is not positive definite in double precision");

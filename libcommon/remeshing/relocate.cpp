@@ -84,6 +84,8 @@ Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) 
   metrics.rms_distance_before = before.rms;
   metrics.max_distance_before = before.max;
 
+  const std::vector<double> scales = part_scales(mesh);
+  relax_on_surface(moving, scales, options.relaxation);  // before features pin what has yet to slide
   const std::vector<CriticalPair> pairs = fit_critical_points(moving, mesh.critical_points, options.critical);
   metrics.critical_reached = static_cast<int>(pairs.size());
   for (const CriticalPair& pair : pairs) moving.pin(pair.vertex);
@@ -93,7 +95,8 @@ Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) 
     const double moved = relocation_round(moving, weights, options.lambda);
     if (moved < options.convergence * mesh.target.diagonal()) break;
   }
-  relax(moving, options.relax_sweeps, part_scales(mesh));
+  relax_on_surface(moving, scales, options.relaxation);
+  relax(moving, options.relax_sweeps, scales);
   if (unfold(moving, options.unfold) > 0) {
     for (const CriticalPair& pair : pairs) moving.unpin(pair.vertex);
     unfold(moving, options.unfold);

@@ -4,6 +4,7 @@
 #include "remeshing/coverage_fit.h"
 #include "remeshing/critical_fit.h"
 #include "remeshing/one_to_one_map.h"
+#include "remeshing/relax_on_surface.h"
 #include "remeshing/unfold.h"
 
 namespace partwise {
@@ -13,6 +14,7 @@ struct RelocateOptions {
   double lambda = 0.5;        ///< share of the way to the weighted mean of the neighbours, in (0, 1]
   double convergence = 1e-4;  ///< rounds end when the mean move falls below this, over the diagonal
   int relax_sweeps = 10;      ///< of distortion, after the rounds; >= 0
+  SurfaceRelaxationOptions relaxation = {};
   CriticalFitOptions critical = {};
   CoverageFitOptions fit = {};
   UnfoldOptions unfold = {};
@@ -35,9 +37,10 @@ struct Relocation {
 };
 
 /// Moves the vertices of a compatible mesh over the target, so that it takes the target's features and its
-/// facets the source's shape ([Wu11] 6.1.2, 6.2): critical points (Eq. (17)), vertex relocation by the
-/// source's mean-value weights (Eq. (18)), then relaxation of the map's distortion (towards the source's
-/// facets, scaled as their part is), unfolding of what is flipped, and a fit of what is missed.
+/// facets the source's shape ([Wu11] 6.1.2, 6.2): relaxation of the whole map (relax_on_surface), critical
+/// points (Eq. (17)), vertex relocation by the source's mean-value weights (Eq. (18)), then again relaxation
+/// of the map's distortion (towards the source's facets, scaled as their part is), unfolding of what is
+/// flipped, and a fit of what is missed.
 ///
 /// Every vertex stays exactly on the target and the map is kept. Markers (at source vertices), critical
 /// points that were reached, and the boundary of an open source stay in place during relocation. No step adds

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "remeshing/mesh_on_surface.h"
+
+namespace partwise {
+
+struct SurfaceRelaxationOptions {
+  int iterations = 20;           ///< of Newton's method, at most; >= 0
+  double least_decrease = 1e-3;  ///< relative; two iterations in a row below it end the relaxation
+};
+
+struct SurfaceRelaxation {
+  int iterations = 0;
+  double energy_before = 0, energy_after = 0;  ///< over the source's (scaled) area; 2 for an isometry
+};
+
+/// Lowers the distortion of the whole map at once: Newton's method on the regularised energy of FoldoverFree,
+/// every vertex in the target's tangent plane at its image, then walked over the target. What vertex-wise
+/// relaxation (`relax`) needs hundreds of sweeps for, the slide of a limb along its length, takes a few
+/// steps.
+///
+/// Pinned vertices stay. A vertex whose step would fold the map, or flip one more facet of the mesh, takes a
+/// part of it or none; where many do, the energy of the whole may rise again.
+/// \param scales per source facet: how much longer its edges should be on the target
+SurfaceRelaxation relax_on_surface(MeshOnSurface& mesh, const std::vector<double>& scales,
+                                   const SurfaceRelaxationOptions& options = {});
+
+}  // namespace partwise
