@@ -14,11 +14,12 @@ namespace partwise {
 namespace {
 
 /// Vertices of each part, ascending.
-std::vector<std::vector<int>> part_vertices(const TriMesh& mesh, const Segmentation& segmentation) {
+std::vector<std::vector<int>> part_vertices(const TriMesh& mesh, const std::vector<int>& labels,
+                                            int part_count) {
   std::vector<int> first_part(mesh.vertex_count(), -1);
   std::vector<std::pair<int, int>> shared;  // vertex, a further part of it
   for (int f = 0; f < mesh.facet_count(); ++f) {
-    const int part = segmentation.labels[f];
+    const int part = labels[f];
     for (const int v : mesh.facet(f)) {
       if (first_part[v] < 0) first_part[v] = part;
       if (first_part[v] != part) shared.emplace_back(v, part);
@@ -26,7 +27,7 @@ std::vector<std::vector<int>> part_vertices(const TriMesh& mesh, const Segmentat
   }
   std::sort(shared.begin(), shared.end());
   shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
-  std::vector<std::vector<int>> vertices(segmentation.part_count());
+  std::vector<std::vector<int>> vertices(part_count);
   auto further = shared.begin();
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (first_part[v] >= 0) vertices[first_part[v]].push_back(v);
@@ -36,6 +37,7 @@ std::vector<std::vector<int>> part_vertices(const TriMesh& mesh, const Segmentat
 }
 
 Concavity concavity_of(const TriMesh& mesh, const std::vector<int>& vertices) {
+  if (vertices.empty()) return {};
   Points points;
   points.reserve(vertices.size());
   for (const int v : vertices) points.push_back(mesh.point(v));
@@ -53,8 +55,9 @@ Concavity concavity_of(const TriMesh& mesh, const std::vector<int>& vertices) {
 
 }  // namespace
 
-std::vector<Concavity> measure_concavity(const TriMesh& mesh, const Segmentation& segmentation) {
-  const auto vertices = part_vertices(mesh, segmentation);
+std::vector<Concavity> measure_concavity(const TriMesh& mesh, const std::vector<int>& labels,
+                                         int part_count) {
+  const auto vertices = part_vertices(mesh, labels, part_count);
   std::vector<Concavity> result(vertices.size());
   tbb::parallel_for(std::size_t{0}, vertices.size(),
                     [&](std::size_t part) { result[part] = concavity_of(mesh, vertices[part]); });

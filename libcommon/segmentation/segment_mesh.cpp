@@ -1,5 +1,7 @@
 #include "segmentation/segment_mesh.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -66,10 +68,14 @@ RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, 
 SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
                                     const SegmentationOptions& options, SurfacePlaces& places) {
   require_size(mesh, landmarks);
-  Segmentation segmentation = trace_boundaries(mesh, part_names(landmarks), std::move(repaired.labels));
+  const std::vector<std::string> names = part_names(landmarks);
+  const std::vector<int>& labels = repaired.labels;
+  Segmentation segmentation;
+  std::vector<Concavity> concavity;
+  tbb::parallel_invoke([&] { segmentation = trace_boundaries(mesh, names, labels); },
+                       [&] { concavity = measure_concavity(mesh, labels, static_cast<int>(names.size())); });
   std::vector<Marker> markers = place_markers(landmarks, places);
   std::vector<Anchor> anchors = place_anchors(mesh, segmentation, landmarks, places);
-  std::vector<Concavity> concavity = measure_concavity(mesh, segmentation);
   std::vector<std::string> warnings = decomposition_hints(segmentation, concavity, options.tau);
   for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
     warnings.push_back(std::move(sentence));
