@@ -11,6 +11,7 @@
 
 #include "error.h"
 #include "geometry/flat_sides.h"
+#include "geometry/hull_candidates.h"
 #include "geometry/normals.h"
 
 namespace partwise {
@@ -27,11 +28,12 @@ struct Corner {
 };
 
 /// Distinct points in lexicographic order, so that nothing after it depends on the order of the input.
-std::vector<Corner> distinct_corners(const Points& points) {
+std::vector<Corner> distinct_corners(const Points& points, const std::vector<int>& candidates) {
   std::vector<Corner> corners;
-  corners.reserve(points.size());
-  for (const Vec3& p : points)
-    corners.push_back({Point(p.x(), p.y(), p.z()), static_cast<int>(corners.size())});
+  corners.reserve(candidates.size());
+  for (const int i : candidates) {
+    corners.push_back({Point(points[i].x(), points[i].y(), points[i].z()), i});
+  }
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
     const auto order = CGAL::compare_xyz(a.point, b.point);
     return order != CGAL::EQUAL ? order == CGAL::SMALLER : a.input < b.input;
@@ -123,7 +125,7 @@ ConvexHull in_input_order(const Points& points, const std::vector<Corner>& corne
 }  // namespace
 
 ConvexHull convex_hull(const Points& points) {
-  std::vector<Corner> corners = distinct_corners(points);
+  std::vector<Corner> corners = distinct_corners(points, hull_candidates(points));
   if (corners.size() < 4) {
     throw InputError("only " + std::to_string(corners.size()) +
                      " distinct points, a convex hull needs at least 4 that are not in one plane");

@@ -1,3 +1,5 @@
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -14,6 +16,7 @@ constexpr double kThinnest = 1e-7;  // height over longest edge of a facet whose
 constexpr double kOutside = 1e-9;   // over the diagonal: farther outside, a point is no point of the hull
 constexpr std::ptrdiff_t kLeafSize = 16;
 constexpr std::size_t kFewPlanes = 6;
+constexpr std::ptrdiff_t kLargestTask = 4096;  // points measured by one thread in one go
 
 struct Plane {
   Vec3 normal;  // unit, outward
@@ -64,8 +67,15 @@ class Depths {
     box.sizes().maxCoeff(&axis);
     const Iterator middle = begin + (end - begin) / 2;
     std::nth_element(begin, middle, end, [&](int a, int b) { return points_[a][axis] < points_[b][axis]; });
-    measure(begin, middle, near);
-    measure(middle, end, near);
+    const auto lower = [&] { measure(begin, middle, near); };
+    const auto upper = [&] { measure(middle, end, near); };
+    if (end - begin > kLargestTask) {
+      tbb::parallel_invoke(lower,
+                           upper);  // every point's depth is its own: the same on any number of threads
+    } else {
+      lower();
+      upper();
+    }
   }
 
   static double smallest_depth(const Vec3& point, const std::vector<Plane>& planes) {

@@ -44,9 +44,19 @@ class Tracer {
     return word;
   }
 
+  /// Half-edges walked as part of a curve, ascending: few, so that what follows need not see the whole mesh.
+  std::vector<HalfedgeHandle> boundary() const {
+    std::vector<HalfedgeHandle> result;
+    for (int i = 0; i < static_cast<int>(half_edges_.n_halfedges()); ++i) {
+      if (is_boundary(HalfedgeHandle(i))) result.emplace_back(i);
+    }
+    return result;
+  }
+
   void require_connected_parts() const;
   CrossPoint cross_point(VertexHandle v, const std::vector<int>& word) const;
-  std::vector<BoundaryCurve> curves(const std::vector<bool>& is_cross_point) const;
+  std::vector<BoundaryCurve> curves(const std::vector<HalfedgeHandle>& boundary,
+                                    const std::vector<bool>& is_cross_point) const;
 
  private:
   /// The next half-edge of the curve that `h` belongs to: turn around its end vertex until the labels change.
@@ -84,11 +94,12 @@ void Tracer::require_connected_parts() const {
     while (!stack.empty()) {
       const FaceHandle f(stack.back());
       stack.pop_back();
-      for (const FaceHandle neighbour : half_edges_.ff_range(f)) {
-        if (component[neighbour.idx()] < 0 && segmentation_.labels[neighbour.idx()] == part) {
-          component[neighbour.idx()] = seed;
-          stack.push_back(neighbour.idx());
-        }
+      HalfedgeHandle h = half_edges_.halfedge_handle(f);
+      for (int side = 0; side < 3; ++side, h = half_edges_.next_halfedge_handle(h)) {
+        const int neighbour = half_edges_.opposite_face_handle(h).idx();
+        if (neighbour < 0 || component[neighbour] >= 0 || segmentation_.labels[neighbour] != part) continue;
+        component[neighbour] = seed;
+        stack.push_back(neighbour);
       }
     }
   }
@@ -140,17 +151,18 @@ BoundaryCurve Tracer::walk(HalfedgeHandle start, const std::vector<bool>& is_cro
   return curve;
 }
 
-std::vector<BoundaryCurve> Tracer::curves(const std::vector<bool>& is_cross_point) const {
+std::vector<BoundaryCurve> Tracer::curves(const std::vector<HalfedgeHandle>& boundary,
+                                          const std::vector<bool>& is_cross_point) const {
   std::vector<BoundaryCurve> result;
   std::vector<bool> visited(half_edges_.n_halfedges(), false);
   auto collect = [&](HalfedgeHandle h) {
-    if (!visited[h.idx()] && is_boundary(h)) result.push_back(walk(h, is_cross_point, visited));
+    if (!visited[h.idx()]) result.push_back(walk(h, is_cross_point, visited));
   };
   // Arcs first, from their cross points: what is left over then closes on itself.
-  for (const HalfedgeHandle h : half_edges_.halfedges()) {
+  for (const HalfedgeHandle h : boundary) {
     if (is_cross_point[half_edges_.from_vertex_handle(h).idx()]) collect(h);
   }
-  for (const HalfedgeHandle h : half_edges_.halfedges()) collect(h);
+  for (const HalfedgeHandle h : boundary) collect(h);
   auto order = [](const BoundaryCurve& c) {
     return std::tuple(c.left, c.right, *std::min_element(c.vertices.begin(), c.vertices.end()), c.vertices);
   };
@@ -181,14 +193,20 @@ Segmentation trace_boundaries(const TriMesh& mesh, std::vector<std::string> name
   }
   const Tracer tracer(mesh, segmentation);
   tracer.require_connected_parts();
-  std::vector<bool> is_cross_point(mesh.vertex_count(), false);
+  const std::vector<HalfedgeHandle> boundary = tracer.boundary();
+  std::vector<bool> is_cross_point(mesh.vertex_count(), false), is_on_boundary(mesh.vertex_count(), false);
+  for (const HalfedgeHandle h : boundary) {
+    is_on_boundary[mesh.half_edges().from_vertex_handle(h).idx()] = true;
+    is_on_boundary[mesh.half_edges().to_vertex_handle(h).idx()] = true;
+  }
   for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (!is_on_boundary[v]) continue;
     const std::vector<int> word = tracer.label_word(VertexHandle(v));
     if (word.size() < 3) continue;
     segmentation.cross_points.push_back(tracer.cross_point(VertexHandle(v), word));
     is_cross_point[v] = true;
   }
-  segmentation.curves = tracer.curves(is_cross_point);
+  segmentation.curves = tracer.curves(boundary, is_cross_point);
   return segmentation;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "error.h"
 #include "geometry/convex_hull.h"
@@ -13,20 +14,30 @@ namespace partwise {
 namespace {
 
 /// Vertices of each part, ascending.
-std::vector<std::vector<int>> part_vertices(const TriMesh& mesh, const Segmentation& segmentation) {
-  std::vector<std::vector<int>> vertices(segmentation.part_count());
+std::vector<std::vector<int>> part_vertices(const TriMesh& mesh, const std::vector<int>& labels,
+                                            int part_count) {
+  std::vector<int> first_part(mesh.vertex_count(), -1);
+  std::vector<std::pair<int, int>> shared;  // vertex, a further part of it
   for (int f = 0; f < mesh.facet_count(); ++f) {
-    auto& own = vertices[segmentation.labels[f]];
-    own.insert(own.end(), mesh.facet(f).begin(), mesh.facet(f).end());
+    const int part = labels[f];
+    for (const int v : mesh.facet(f)) {
+      if (first_part[v] < 0) first_part[v] = part;
+      if (first_part[v] != part) shared.emplace_back(v, part);
+    }
   }
-  for (auto& own : vertices) {
-    std::sort(own.begin(), own.end());
-    own.erase(std::unique(own.begin(), own.end()), own.end());
+  std::sort(shared.begin(), shared.end());
+  shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+  std::vector<std::vector<int>> vertices(part_count);
+  auto further = shared.begin();
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (first_part[v] >= 0) vertices[first_part[v]].push_back(v);
+    for (; further != shared.end() && further->first == v; ++further) vertices[further->second].push_back(v);
   }
   return vertices;
 }
 
 Concavity concavity_of(const TriMesh& mesh, const std::vector<int>& vertices) {
+  if (vertices.empty()) return {};
   Points points;
   points.reserve(vertices.size());
   for (const int v : vertices) points.push_back(mesh.point(v));
@@ -44,8 +55,9 @@ Concavity concavity_of(const TriMesh& mesh, const std::vector<int>& vertices) {
 
 }  // namespace
 
-std::vector<Concavity> measure_concavity(const TriMesh& mesh, const Segmentation& segmentation) {
-  const auto vertices = part_vertices(mesh, segmentation);
+std::vector<Concavity> measure_concavity(const TriMesh& mesh, const std::vector<int>& labels,
+                                         int part_count) {
+  const auto vertices = part_vertices(mesh, labels, part_count);
   std::vector<Concavity> result(vertices.size());
   tbb::parallel_for(std::size_t{0}, vertices.size(),
                     [&](std::size_t part) { result[part] = concavity_of(mesh, vertices[part]); });

@@ -87,7 +87,7 @@ std::vector<Tensor, Eigen::aligned_allocator<Tensor>> curvature_tensors(const Tr
   const double radius = kCreaseRadius * mesh.diagonal();
   const Adjacency adjacency(mesh);
   std::vector<Tensor, Eigen::aligned_allocator<Tensor>> result(mesh.vertex_count());
-  tbb::parallel_for(tbb::blocked_range<int>(0, mesh.vertex_count(), 16384), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<int>(0, mesh.vertex_count(), 2048), [&](const auto& range) {
     Neighbourhood neighbourhood(mesh.points(), adjacency);
     for (int v = range.begin(); v < range.end(); ++v) {
       Tensor sum = Tensor::Zero();

@@ -136,10 +136,20 @@ std::optional<Relabelling::Move> best_move(const TriMesh& mesh, const Relabellin
   return best;
 }
 
+/// Ascending. Most vertices lie inside a part and are not looked at.
 std::vector<int> pinched_vertices(const TriMesh& mesh, const std::vector<int>& labels) {
+  const HalfEdges& half_edges = mesh.half_edges();
+  std::vector<bool> is_at_boundary(mesh.vertex_count(), false);
+  for (int e = 0; e < static_cast<int>(half_edges.n_edges()); ++e) {
+    const HalfedgeHandle h = half_edges.halfedge_handle(OpenMesh::EdgeHandle(e), 0);
+    const FaceHandle left = half_edges.face_handle(h), right = half_edges.opposite_face_handle(h);
+    if (left.is_valid() && right.is_valid() && labels[left.idx()] == labels[right.idx()]) continue;
+    is_at_boundary[half_edges.from_vertex_handle(h).idx()] = true;
+    is_at_boundary[half_edges.to_vertex_handle(h).idx()] = true;
+  }
   std::vector<int> pinched;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (extra_fans(mesh, labels, v) > 0) pinched.push_back(v);
+    if (is_at_boundary[v] && extra_fans(mesh, labels, v) > 0) pinched.push_back(v);
   }
   return pinched;
 }

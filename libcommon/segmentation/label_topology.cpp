@@ -34,10 +34,12 @@ LabelComponents label_components(const TriMesh& mesh, const std::vector<int>& la
     std::vector<int> facets{seed};
     components.of_facet[seed] = index;
     for (std::size_t i = 0; i < facets.size(); ++i) {
-      for (const OpenMesh::FaceHandle f : mesh.half_edges().ff_range(OpenMesh::FaceHandle(facets[i]))) {
-        if (components.of_facet[f.idx()] >= 0 || labels[f.idx()] != labels[seed]) continue;
-        components.of_facet[f.idx()] = index;
-        facets.push_back(f.idx());
+      OpenMesh::HalfedgeHandle h = mesh.half_edges().halfedge_handle(OpenMesh::FaceHandle(facets[i]));
+      for (int side = 0; side < 3; ++side, h = mesh.half_edges().next_halfedge_handle(h)) {
+        const int f = mesh.half_edges().opposite_face_handle(h).idx();
+        if (f < 0 || components.of_facet[f] >= 0 || labels[f] != labels[seed]) continue;
+        components.of_facet[f] = index;
+        facets.push_back(f);
       }
     }
     components.facets.push_back(std::move(facets));

@@ -91,10 +91,12 @@ std::vector<int> facet_components(const TriMesh& mesh) {
     while (!stack.empty()) {
       const OpenMesh::FaceHandle f(stack.back());
       stack.pop_back();
-      for (const OpenMesh::FaceHandle neighbour : mesh.half_edges().ff_range(f)) {
-        if (component[neighbour.idx()] >= 0) continue;
-        component[neighbour.idx()] = count;
-        stack.push_back(neighbour.idx());
+      OpenMesh::HalfedgeHandle h = mesh.half_edges().halfedge_handle(f);
+      for (int side = 0; side < 3; ++side, h = mesh.half_edges().next_halfedge_handle(h)) {
+        const int neighbour = mesh.half_edges().opposite_face_handle(h).idx();
+        if (neighbour < 0 || component[neighbour] >= 0) continue;
+        component[neighbour] = count;
+        stack.push_back(neighbour);
       }
     }
     ++count;

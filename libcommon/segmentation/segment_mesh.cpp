@@ -1,75 +1,27 @@
 #include "segmentation/segment_mesh.h"
 
-#include <algorithm>
+#include <tbb/parallel_invoke.h>
+
 #include <utility>
 
-#include "error.h"
 #include "segmentation/anchor_proposals.h"
 #include "segmentation/concavity.h"
-#include "segmentation/contacts.h"
-#include "segmentation/crease_field.h"
-#include "segmentation/growth.h"
 #include "segmentation/landmarks.h"
 #include "segmentation/segmenter.h"
-#include "segmentation/split_boundaries.h"
 
 namespace partwise {
-namespace {
-
-void require_size(const TriMesh& mesh, const Sketch& sketch) {
-  if (!sketch.mesh) return;
-  if (sketch.mesh->vertices == mesh.vertex_count() && sketch.mesh->facets == mesh.facet_count()) return;
-  throw InputError("the sketch was drawn for a mesh of " + std::to_string(sketch.mesh->vertices) +
-                   " vertices and " + std::to_string(sketch.mesh->facets) + " facets, this one has " +
-                   std::to_string(mesh.vertex_count()) + " and " + std::to_string(mesh.facet_count()) +
-                   "; take the sketch of this mesh");
-}
-
-std::vector<std::string> part_names(const Sketch& sketch) {
-  if (sketch.parts.empty()) return {"whole"};
-  std::vector<std::string> names;
-  for (const SketchedPart& part : sketch.parts) names.push_back(part.name);
-  return names;
-}
-
-/// The sketch for a mesh with the same vertices and surface, but other facets than the one of `places`.
-Sketch without_facets(Sketch sketch, const TriMesh& mesh, SurfacePlaces& places) {
-  auto resolve = [&](Place& place, const std::string& where) {
-    if (std::holds_alternative<SurfacePoint>(place)) place = position(mesh, places.locate(place, where));
-  };
-  for (SketchedMarker& marker : sketch.markers) resolve(marker.place, "marker '" + marker.name + "'");
-  for (SketchedAnchor& anchor : sketch.anchors) resolve(anchor.place, "anchor '" + anchor.name + "'");
-  sketch.mesh.reset();
-  return sketch;
-}
-
-RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, const Seeds& seeds,
-                    const SegmentationOptions& options) {
-  // To look for creases takes longer than the growth itself.
-  const std::vector<double> no_creases(mesh.half_edges().n_edges(), 0.0);
-  RepairedLabels grown =
-      repair_labels(mesh, names, seeds, grow_regions(mesh, seeds), boundary_costs(mesh, no_creases));
-  if (!options.refine_growth || mesh.facet_count() > options.largest_refined) return grown;
-  const std::vector<double> costs = boundary_costs(mesh, edge_concavity(mesh));
-  const int part_count = static_cast<int>(names.size());
-  RepairedLabels refined = repair_labels(
-      mesh, names, seeds,
-      refine_boundaries(mesh, seeds, part_count, std::move(grown.labels), costs, options.refinement), costs);
-  refined.merged_islands += grown.merged_islands;
-  refined.removed_pinches += grown.removed_pinches;
-  refined.changed_facets += grown.changed_facets;
-  return refined;
-}
-
-}  // namespace
 
 SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
                                     const SegmentationOptions& options, SurfacePlaces& places) {
-  require_size(mesh, landmarks);
-  Segmentation segmentation = trace_boundaries(mesh, part_names(landmarks), std::move(repaired.labels));
+  require_drawn_for(mesh, landmarks);
+  const std::vector<std::string> names = part_names(landmarks);
+  const std::vector<int>& labels = repaired.labels;
+  Segmentation segmentation;
+  std::vector<Concavity> concavity;
+  tbb::parallel_invoke([&] { segmentation = trace_boundaries(mesh, names, labels); },
+                       [&] { concavity = measure_concavity(mesh, labels, static_cast<int>(names.size())); });
   std::vector<Marker> markers = place_markers(landmarks, places);
   std::vector<Anchor> anchors = place_anchors(mesh, segmentation, landmarks, places);
-  std::vector<Concavity> concavity = measure_concavity(mesh, segmentation);
   std::vector<std::string> warnings = decomposition_hints(segmentation, concavity, options.tau);
   for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
     warnings.push_back(std::move(sentence));
@@ -89,71 +41,6 @@ SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired
                                     const SegmentationOptions& options) {
   SurfacePlaces places(mesh, options.snap_limit);
   return assemble_segmentation(mesh, std::move(repaired), landmarks, options, places);
-}
-
-Segmenter::Segmenter(const TriMesh& mesh, const SegmentationOptions& options)
-    : mesh_(mesh),
-      options_(options),
-      components_(facet_components(mesh)),
-      places_(mesh_, options.snap_limit) {}
-
-void Segmenter::require_one_component() const {
-  const auto second = std::find(components_.begin(), components_.end(), 1);
-  if (second == components_.end()) return;
-  throw InputError("the mesh has " +
-                   std::to_string(1 + *std::max_element(components_.begin(), components_.end())) +
-                   " components (facet " + std::to_string(second - components_.begin()) +
-                   " is not connected to facet 0) but one part; give each component a part of its own, or "
-                   "keep the largest (convert-mesh --keep-largest-component)");
-}
-
-SeparatedLabels Segmenter::label_facets(const std::vector<std::string>& names,
-                                        const std::vector<SeedStroke>& strokes) {
-  if (names.size() == 1) {
-    require_one_component();
-    RepairedLabels whole;
-    whole.labels.assign(mesh_.facet_count(), 0);
-    return {whole, {}};
-  }
-  const Seeds seeds = collect_seeds(mesh_, components_, names, strokes);
-  if (options_.method == SegmentationMethod::growth) return {grow(mesh_, names, seeds, options_), {}};
-  if (!labeller_) labeller_.emplace(mesh_, options_.largest_exact);
-  const int part_count = static_cast<int>(names.size());
-  const std::vector<double>& costs = labeller_->boundary_costs();
-  RepairedLabels repaired =
-      repair_labels(mesh_, names, seeds, labeller_->labels(seeds, part_count, options_.band_cut), costs);
-  return separate_contacts(mesh_, names, seeds, std::move(repaired), costs, options_.contact_limit);
-}
-
-SegmentedMesh Segmenter::split(const Sketch& sketch, const std::vector<std::string>& names,
-                               const std::vector<SeedStroke>& strokes, RepairedLabels repaired) {
-  const Seeds seeds = collect_seeds(mesh_, components_, names, strokes);
-  SplitMeshLabels cut = split_along_boundaries(mesh_, names, seeds, repaired.labels, options_.split_rounds);
-  repaired.labels = std::move(cut.labels);
-  SegmentedMesh result =
-      assemble_segmentation(cut.mesh, std::move(repaired), without_facets(sketch, mesh_, places_), options_);
-  result.added_vertices = cut.added_vertices;
-  result.added_facets = cut.added_facets;
-  return result;
-}
-
-SegmentedMesh Segmenter::segment(const Sketch& sketch) {
-  require_size(mesh_, sketch);
-  const std::vector<std::string> names = part_names(sketch);
-  const std::vector<SeedStroke> strokes = seed_strokes(sketch, places_);
-  SeparatedLabels labelled = label_facets(names, strokes);
-  SegmentedMesh result =
-      options_.split_edges && names.size() > 1
-          ? split(sketch, names, strokes, std::move(labelled.repaired))
-          : assemble_segmentation(mesh_, std::move(labelled.repaired), sketch, options_, places_);
-  for (std::string& contact : labelled.sentences) result.warnings.push_back(std::move(contact));
-  const bool is_grown = options_.method == SegmentationMethod::growth && !sketch.parts.empty();
-  if (is_grown && options_.refine_growth && mesh_.facet_count() > options_.largest_refined) {
-    result.warnings.push_back(
-        "boundaries are as the growth leaves them: straightening them is for meshes of at most " +
-        std::to_string(options_.largest_refined) + " facets; --method walker straightens those of any");
-  }
-  return result;
 }
 
 SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const SegmentationOptions& options) {

@@ -58,6 +58,7 @@ SegmentedMesh segment_mesh(const TriMesh& mesh, const Sketch& sketch, const Segm
 
 /// The last steps of segment_mesh: boundaries, markers, anchors and hints of facets that have their labels.
 /// \param landmarks names the parts, in the order of the labels, and the markers and anchors
+/// \pre labels as repair_labels() leaves them: one per facet, each the index of a part
 /// \throws InputError as segment_mesh
 SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired, const Sketch& landmarks,
                                     const SegmentationOptions& options);

@@ -25,9 +25,9 @@ class Segmenter {
   SegmentedMesh segment(const Sketch& sketch);
 
  private:
-  SeparatedLabels label_facets(const std::vector<std::string>& names, const std::vector<SeedStroke>& strokes);
-  SegmentedMesh split(const Sketch& sketch, const std::vector<std::string>& names,
-                      const std::vector<SeedStroke>& strokes, RepairedLabels repaired);
+  SeparatedLabels label_facets(const std::vector<std::string>& names, const Seeds& seeds);
+  SegmentedMesh split(const Sketch& sketch, const std::vector<std::string>& names, const Seeds& seeds,
+                      RepairedLabels repaired);
   void require_one_component() const;
 
   TriMesh mesh_;

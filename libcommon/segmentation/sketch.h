@@ -69,4 +69,10 @@ struct Sketch {
   std::optional<SketchedMesh> mesh;
 };
 
+/// Names of the parts in their order; a sketch without parts has one, "whole".
+std::vector<std::string> part_names(const Sketch& sketch);
+
+/// \throws InputError when the sketch says that it was drawn for a mesh of other size.
+void require_drawn_for(const TriMesh& mesh, const Sketch& sketch);
+
 }  // namespace partwise

@@ -2,9 +2,11 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "io/sketch.h"
@@ -47,12 +49,15 @@ Sketch spread_strokes(const TriMesh& mesh, int count) {
   return sketch;
 }
 
-/// Runs a step, prints its time, returns its result.
+/// Runs a step, prints its times, returns its result.
 template <class Step>
 auto timed(const char* what, const Step& step) {
   const double start = processor_seconds();
+  const auto clock = std::chrono::steady_clock::now();
   auto result = step();
-  std::printf("%-32s %8.3f s, peak %6.0f MB\n", what, processor_seconds() - start, peak_megabytes());
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - clock;
+  std::printf("%-24s %8.3f s of clock, %8.3f s of processor, peak %6.0f MB\n", what, passed.count(),
+              processor_seconds() - start, peak_megabytes());
   return result;
 }
 
@@ -60,8 +65,9 @@ void run(const std::string& mesh_path, const std::string& sketch_path) {
   const TriMesh mesh =
       timed("read, build half-edges", [&] { return io::read_mesh(io::read_document(mesh_path)); });
   Sketch sketch = sketch_path.empty() ? spread_strokes(mesh, 7) : io::read_sketch(sketch_path);
-  Segmenter segmenter(mesh);
-  const SegmentedMesh first = timed("first segmentation", [&] { return segmenter.segment(sketch); });
+  std::optional<Segmenter> segmenter;
+  const SegmentedMesh first =
+      timed("first segmentation", [&] { return segmenter.emplace(mesh).segment(sketch); });
   for (int further = 1; further <= 3; ++further) {
     // One vertex more, from the inside of the part it is drawn for: of a facet in the middle of the list.
     const std::vector<int>& labels = first.model.segmentation.labels;
@@ -70,7 +76,7 @@ void run(const std::string& mesh_path, const std::string& sketch_path) {
     if (facet < mesh.facet_count()) {
       sketch.parts[0].strokes.emplace_back(VertexStroke{{mesh.facet(facet)[0]}});
     }
-    timed("with a further stroke", [&] { return segmenter.segment(sketch); });
+    timed("with a further stroke", [&] { return segmenter->segment(sketch); });
   }
   std::printf("%d facets, %d parts, %zu curves\n", mesh.facet_count(), first.model.segmentation.part_count(),
               first.model.segmentation.curves.size());

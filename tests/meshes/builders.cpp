@@ -132,6 +132,16 @@ TriMesh torus(double major_radius, double minor_radius, int around, int across) 
   return TriMesh(std::move(points), std::move(facets));
 }
 
+TriMesh two_spheres(int n) {
+  const TriMesh one = sphere(n);
+  Points points = one.points();
+  Facets facets = one.facets();
+  const int count = one.vertex_count();
+  for (const Vec3& p : one.points()) points.push_back(p + Vec3(5, 0, 0));
+  for (const auto& [a, b, c] : one.facets()) facets.push_back({a + count, b + count, c + count});
+  return TriMesh(std::move(points), std::move(facets));
+}
+
 TriMesh hemisphere(int n) {
   const TriMesh whole = sphere(n);
   std::map<int, int> kept;

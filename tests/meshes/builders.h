@@ -2,7 +2,8 @@
 
 #include "mesh/tri_mesh.h"
 
-/// Meshes of known shape for the tests; all are centred at the origin and oriented outward.
+/// Meshes of known shape for the tests; all are oriented outward and, but for two_spheres, centred at the
+/// origin.
 namespace partwise::tests {
 
 /// Regular tetrahedron with its corners on the unit sphere: 4 vertices, 4 facets.
@@ -19,6 +20,9 @@ TriMesh bumpy_sphere(int n, double height);
 
 /// Torus around the z axis: 2 * around * across facets.
 TriMesh torus(double major_radius, double minor_radius, int around, int across);
+
+/// sphere(n), and behind it in all lists its copy around (5, 0, 0): two components.
+TriMesh two_spheres(int n);
 
 /// Upper half of sphere(n): one boundary loop. \pre n is even
 TriMesh hemisphere(int n);

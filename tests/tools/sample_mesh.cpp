@@ -11,22 +11,12 @@ using namespace partwise;
 
 namespace {
 
-TriMesh two_spheres() {
-  const TriMesh one = tests::sphere(4);
-  Points points = one.points();
-  Facets facets = one.facets();
-  const int n = one.vertex_count();
-  for (const Vec3& p : one.points()) points.push_back(p + Vec3(5, 0, 0));
-  for (const auto& [a, b, c] : one.facets()) facets.push_back({a + n, b + n, c + n});
-  return TriMesh(std::move(points), std::move(facets));
-}
-
 TriMesh mesh_called(const std::string& name) {
   if (name == "capsule") return tests::capsule(4, 24, 45);
   if (name == "fine-capsule") return tests::capsule(4, 31, 70);
   if (name == "torus") return tests::torus(3, 1, 24, 12);
   if (name == "fat-torus") return tests::torus(3, 1.4, 31, 15);
-  if (name == "two-spheres") return two_spheres();
+  if (name == "two-spheres") return tests::two_spheres(4);
   if (name == "cube") return tests::cube(30);
   if (name == "bumpy-sphere") return tests::bumpy_sphere(37, 0.4);
   if (name == "hemisphere") return tests::hemisphere(16);

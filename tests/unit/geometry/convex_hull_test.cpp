@@ -9,6 +9,7 @@
 
 #include "builders.h"
 #include "error.h"
+#include "geometry/hull_candidates.h"
 #include "geometry/orientation.h"
 #include "mesh/tri_mesh.h"
 
@@ -41,6 +42,28 @@ std::set<std::array<Corner, 3>> shape(const ConvexHull& hull) {
     facets.insert(corners);
   }
   return facets;
+}
+
+TEST(HullCandidates, KeepEveryVertexOfTheHullAndFewOfTheInside) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Points points;
+  while (points.size() < 20'000) {
+    const Vec3 p(uniform(random), uniform(random), uniform(random));
+    if (p.norm() <= 1) points.push_back(1e3 * Vec3::Ones() + p);
+  }
+  const std::vector<int> candidates = hull_candidates(points);
+  EXPECT_LT(candidates.size(), points.size() / 2);
+  ASSERT_TRUE(std::is_sorted(candidates.begin(), candidates.end()));
+  expect_encloses(convex_hull(points), points);
+}
+
+TEST(HullCandidates, AreAllPointsOfAFlatSetAndOfACubesSides) {
+  Points flat;
+  for (int i = 0; i < 900; ++i) flat.emplace_back(i % 30, i / 30, 0);
+  EXPECT_EQ(hull_candidates(flat).size(), flat.size());
+  const TriMesh cube = tests::cube(10);
+  EXPECT_EQ(hull_candidates(cube.points()).size(), cube.points().size());
 }
 
 TEST(ConvexHull, OfASubdividedCubeIsTheCube) {

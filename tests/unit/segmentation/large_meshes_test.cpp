@@ -1,7 +1,9 @@
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <variant>
 
 #include "builders.h"
 #include "geometry/normals.h"
@@ -76,6 +78,55 @@ TEST(LargeMeshes, LabelsDoNotChangeWithThreadsScaleAndEarlierStrokes) {
   for (const Vec3& p : mesh.points()) points.push_back(1024 * p);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(segment_mesh(mesh.with_points(points), sketch, {}).model.segmentation.labels, labels);
+}
+
+/// The bent capsule with bumps, so that no two of its facets are alike.
+TriMesh bumpy_capsule(int around, int along) {
+  const TriMesh bent = bent_capsule(around, along);
+  Points points;
+  for (const Vec3& p : bent.points()) {
+    points.push_back(p + 0.03 * Vec3(std::sin(5 * p.y() + 2 * p.z()), std::sin(4 * p.z() + 3 * p.x()),
+                                     std::sin(6 * p.x() + p.y())));
+  }
+  return bent.with_points(std::move(points));
+}
+
+Sketch with_vertices(Sketch sketch, const std::vector<int>& new_vertex) {
+  for (SketchedPart& part : sketch.parts) {
+    for (Stroke& stroke : part.strokes) {
+      for (int& v : std::get<VertexStroke>(stroke).vertices) v = new_vertex[v];
+    }
+  }
+  return sketch;
+}
+
+TEST(LargeMeshes, LabelsDoNotChangeWithNumbering) {
+  const TriMesh mesh = bumpy_capsule(150, 200);
+  ASSERT_GT(mesh.facet_count(), SegmentationOptions().largest_exact);
+  const Sketch sketch = three_parts(mesh);
+  const std::vector<int> labels = segment_mesh(mesh, sketch, {}).model.segmentation.labels;
+  const tests::Renumbered other = tests::renumbered(mesh, 5);
+  const std::vector<int> theirs =
+      segment_mesh(other.mesh, with_vertices(sketch, other.new_vertex), {}).model.segmentation.labels;
+  std::vector<int> same(labels.size());
+  for (std::size_t f = 0; f < labels.size(); ++f) same[f] = theirs[other.new_facet[f]];
+  EXPECT_EQ(share_that_differs(mesh, same, labels), 0);
+}
+
+TEST(LargeMeshes, LabelsDoNotChangeWithScaleAndHardlyWithRotation) {
+  const TriMesh mesh = bumpy_capsule(150, 200);
+  const Sketch sketch = three_parts(mesh);
+  const std::vector<int> labels = segment_mesh(mesh, sketch, {}).model.segmentation.labels;
+  auto labels_of = [&](const Eigen::Matrix3d& transform, const Vec3& shift) {
+    Points points;
+    for (const Vec3& p : mesh.points()) points.push_back(transform * p + shift);
+    return segment_mesh(mesh.with_points(std::move(points)), sketch, {}).model.segmentation.labels;
+  };
+  const Eigen::Matrix3d quarter_turn = Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitX()).toRotationMatrix();
+  EXPECT_EQ(share_that_differs(mesh, labels_of(1000 * quarter_turn, Vec3(50, -3, 7)), labels), 0);
+  // The diagonal of the bounding box, which the crease field is relative to, changes with other turns.
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  EXPECT_LT(share_that_differs(mesh, labels_of(turn, Vec3::Zero()), labels), 0.005);
 }
 
 TEST(LargeMeshes, NearlyEqualCreasesOnOneLevelAndOnSeveral) {

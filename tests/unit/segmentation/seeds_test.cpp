@@ -21,17 +21,6 @@ std::string complaint(const TriMesh& mesh, const std::vector<std::string>& names
   return "";
 }
 
-/// Two spheres side by side.
-TriMesh two_spheres() {
-  const TriMesh one = tests::sphere(2);
-  Points points = one.points();
-  Facets facets = one.facets();
-  const int n = one.vertex_count();
-  for (const Vec3& p : one.points()) points.push_back(p + Vec3(5, 0, 0));
-  for (const auto& [a, b, c] : one.facets()) facets.push_back({a + n, b + n, c + n});
-  return TriMesh(std::move(points), std::move(facets));
-}
-
 TEST(Seeds, FacetsTouchedByTwoPartsStayUnseeded) {
   const TriMesh mesh = tests::grid(4);  // vertex 5 i + j
   const Seeds seeds = collect_seeds(mesh, {"a", "b"}, {{0, 0, {6}}, {1, 0, {7}}});
@@ -57,7 +46,7 @@ TEST(Seeds, EveryPartNeedsAStroke) {
 }
 
 TEST(Seeds, ComponentsWithoutStrokeAndPartsOnTwoComponentsAreRefused) {
-  const TriMesh mesh = two_spheres();
+  const TriMesh mesh = tests::two_spheres(2);
   const int n = mesh.vertex_count() / 2;
   EXPECT_NE(complaint(mesh, {"a", "b"}, {{0, 0, {0}}, {1, 0, {n - 1}}}).find("has no stroke"),
             std::string::npos);
