@@ -89,14 +89,14 @@ std::string partition_fault(const CompatibleMesh& mesh) {
 std::string boundary_fault(const CrossMap& map, std::size_t k) {
   const Part &source = map.source_parts[k], &target = map.target.hulled.parts[k];
   const double near = kGap * bounding_box_diagonal(map.target.hulled.hulls[k].points);
+  const Vec3 centre = hull_centre(map.target.hulled.hulls[k]);
+  const Points& images = map.target.images[k];
   for (const BoundaryPlacement& place : map.boundary) {
     const int v = source.local_vertex(place.source_vertex);
     if (v < 0) continue;
     const int a = target.local_vertex(place.target_a), b = target.local_vertex(place.target_b);
     const std::string where = "source vertex " + std::to_string(place.source_vertex);
     if (a < 0 || b < 0) return where + " lies on another part's boundary";
-    const Vec3 centre = hull_centre(map.target.hulled.hulls[k]);
-    const Points& images = map.target.images[k];
     const Vec3 wanted = (1 - place.fraction) * images[a] + place.fraction * images[b] - centre;
     const Vec3 there = map.images[k][v] - centre;
     if (wanted.normalized().cross(there).norm() > near) return where + " is off its place on the boundary";

@@ -20,8 +20,8 @@ struct SphereCertificate {
 /// Checks, by exact predicates and counting alone, that (1) every edge has two facets, in opposite
 /// directions, the facets around every vertex form one fan, all are connected, and V - E + F = 2: the surface
 /// is a sphere; (2) every facet is positively oriented as seen from the origin; (3) one direction in general
-/// position meets exactly one facet. By (1) and (2) the map is a covering of the sphere; by (3) it is
-/// one-to-one.
+/// position meets exactly one facet. By (1) and (2) the map covers the sphere equally often everywhere,
+/// branching at vertices at most (z -> z^2 has no fold); by (3) once.
 ///
 /// No code is shared with the stages that make such maps. Directions may have any length > 0.
 /// \pre facets name entries of `directions`, which are finite; every entry is named

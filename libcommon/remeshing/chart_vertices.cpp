@@ -16,7 +16,7 @@ Edge sorted(int a, int b) {
 /// Adds the target's vertices that lie between the images of neighbours on a loop.
 class LoopVertices {
  public:
-  LoopVertices(CompatibleMesh& mesh) : mesh_(mesh), unrefined_(refine_source(mesh)) {}
+  explicit LoopVertices(CompatibleMesh& mesh) : mesh_(mesh), unrefined_(refine_source(mesh)) {}
 
   void add(const Chart& chart, const ChartTarget& target) {
     const ChartSource side = lay_out(unrefined_, facets_of(chart, mesh_.source_labels), target);

@@ -1,8 +1,6 @@
 #include "remeshing/relax_on_surface.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include "energy/foldover_free.h"
 #include "geometry/normals.h"
