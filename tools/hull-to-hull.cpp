@@ -21,7 +21,7 @@ io::Json metrics_of(const HullToHull& result) {
                         {"degree", part.degree},
                         {"one_to_one", part.one_to_one},
                         {"distortion", part.distortion},
-                        {"markers_held", part.markers_held}};
+                        {"released_markers", part.released_markers}};
     folds += part.folds;
     one_to_one = one_to_one && part.one_to_one;
   }
