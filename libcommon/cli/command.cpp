@@ -69,6 +69,20 @@ const std::string& Command::output_file(const std::string& description) {
   return output_;
 }
 
+const bool& Command::certificate() {
+  app_.add_flag("--require-certificate", requires_certificate_,
+                "Fail (exit code 1) unless the result is certified one-to-one")
+      ->group("Common");
+  return requires_certificate_;
+}
+
+void Command::check_certificate(const std::string& missing) const {
+  if (missing.empty()) return;
+  const std::string text = "not certified one-to-one: " + missing;
+  if (requires_certificate_) throw ComputationError(text);
+  warn(text);
+}
+
 int Command::parse(int argc, char** argv) {
   try {
     app_.parse(argc, argv);

@@ -51,6 +51,13 @@ class Command {
   const std::string& output_file(const std::string& description);
   bool force() const { return force_; }
 
+  /// Declares --require-certificate; the reference holds whether it was given once `run` has parsed.
+  const bool& certificate();
+
+  /// With --require-certificate, fails with what is `missing` of the certificate that the result is
+  /// one-to-one (empty: nothing); without, warns. \throws ComputationError
+  void check_certificate(const std::string& missing) const;
+
   /// What `run` checks before `body` for a command that declared `output()`. \throws UsageError, IoError
   void require_document_output() const;
 
@@ -114,6 +121,7 @@ class Command {
   std::string output_ = "-";
   bool writes_document_ = false;
   bool force_ = false;
+  bool requires_certificate_ = false;
   bool quiet_ = false;
   bool verbose_ = false;
   bool profile_ = false;

@@ -11,9 +11,7 @@ namespace partwise {
 namespace {
 
 int genus(const TriMesh& closed) {
-  const int euler =
-      closed.vertex_count() - static_cast<int>(closed.half_edges().n_edges()) + closed.facet_count();
-  return (2 - euler) / 2;
+  return (2 - closed.euler_characteristic()) / 2;
 }
 
 Points by_energy(const Part& part, const ConvexHull& hull, const EnergyMapOptions& options,
@@ -49,7 +47,8 @@ void certify(const Part& part, const ConvexHull& hull, const Points& images, Par
   report.facets = part.mesh.facet_count();
   report.folds = found.count();
   report.degree = found.degree;
-  report.one_to_one = found.one_to_one() && genus(part.mesh) == 0;
+  report.euler_characteristic = part.mesh.euler_characteristic();
+  report.one_to_one = found.one_to_one() && report.euler_characteristic == 2;
 }
 
 }  // namespace

@@ -20,10 +20,11 @@ struct PartMapReport {
   std::string remark;                                 ///< why it is not the method asked for, or empty
   int facets = 0;                                     ///< of the part with its caps
   int folds_before = 0;                               ///< energy: folded facets before their repair
-  int folds = 0;            ///< facets not positively oriented, seen from the hull's centre
-  double degree = 0;        ///< how often the map covers the hull
-  bool one_to_one = false;  ///< certified: genus 0, no folds, degree 1
-  double distortion = 0;    ///< progressive: symmetric Dirichlet, 1 for an isometry; else 0
+  int folds = 0;                 ///< facets not positively oriented, seen from the hull's centre
+  int euler_characteristic = 0;  ///< of the part with its caps: 2 when it has no handle
+  double degree = 0;             ///< how often the map covers the hull
+  bool one_to_one = false;       ///< certified: genus 0, no folds, degree 1
+  double distortion = 0;         ///< progressive: symmetric Dirichlet, 1 for an isometry; else 0
   double off_hull = 0;  ///< energy: largest distance to the hull before projection, over the part's diagonal
 };
 

@@ -13,7 +13,7 @@ hulled() { # hulled MESH: MESH.hull.ply from MESH.ply, as one part
 @test "the map is one-to-one and says how good it is" {
   octahedron >octahedron.ply
   hulled octahedron
-  map-to-hull octahedron.hull.ply -o map.ply
+  map-to-hull octahedron.hull.ply -o map.ply --require-certificate
   jq -e '.schema == "partwise/hullmap-1" and .history[-1].tool == "map-to-hull"' map.json
   jq -e '.metrics["map-to-hull"] | .one_to_one and .folds == 0' map.json
   jq -e '.metrics["map-to-hull"].parts.whole | .method == "progressive" and .facets == 8 and .distortion < 1.01' map.json
@@ -37,7 +37,12 @@ hulled() { # hulled MESH: MESH.hull.ply from MESH.ply, as one part
   hulled torus
   run map-to-hull torus.hull.ply -o map.ply
   [ "$status" -eq 0 ]
-  [[ $output == *'warning: part "whole" is not mapped one-to-one'*"1 handle"*decompose* ]]
+  [[ $output == *'warning: not certified one-to-one: part "whole" has 1 handle'*decompose* ]]
+  jq -e '.metrics["map-to-hull"].parts.whole.euler_characteristic == 0' map.json
+  run map-to-hull torus.hull.ply -o none.ply --require-certificate
+  [ "$status" -eq 1 ]
+  [[ $output == *'part "whole" has 1 handle'*decompose* ]]
+  [ ! -e none.ply ]
   jq -e '.metrics["map-to-hull"] | (.one_to_one | not) and .parts.whole.method == "energy"' map.json
 }
 
