@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "cli/command.h"
 #include "io/stage_documents.h"
@@ -8,6 +10,15 @@ namespace {
 
 using namespace partwise;
 
+const std::map<std::string, HullMapMethod> kMethods{{"progressive", HullMapMethod::progressive},
+                                                    {"lifted", HullMapMethod::lifted},
+                                                    {"energy", HullMapMethod::energy}};
+
+std::string name_of(HullMapMethod method) {
+  return std::find_if(kMethods.begin(), kMethods.end(), [&](const auto& m) { return m.second == method; })
+      ->first;
+}
+
 /// The options as the user writes them.
 struct Choice {
   std::string method = "progressive";
@@ -15,16 +26,18 @@ struct Choice {
   EnergyMapOptions energy;
 
   MapToHullOptions options() const {
-    MapToHullOptions result{method == "energy" ? HullMapMethod::energy : HullMapMethod::progressive, energy};
+    MapToHullOptions result{kMethods.at(method), energy};
     if (laplacian == "uniform") result.energy.laplacian = LaplacianKind::uniform;
     return result;
   }
 };
 
 void declare_options(CLI::App& app, Choice& choice) {
-  app.add_option("--method", choice.method,
-                 "progressive: one-to-one for every part without handles; energy: as in the paper, may fold")
-      ->check(CLI::IsMember({"progressive", "energy"}))
+  app.add_option(
+         "--method", choice.method,
+         "progressive: one-to-one for every part without handles; lifted: its fallback, another way to a "
+         "one-to-one map; energy: as in the paper, may fold")
+      ->check(CLI::IsMember(kMethods))
       ->capture_default_str();
   app.add_option("--laplacian", choice.laplacian, "energy: how much each neighbour of a vertex counts")
       ->check(CLI::IsMember({"mean-value", "uniform"}))
@@ -47,7 +60,7 @@ void declare_options(CLI::App& app, Choice& choice) {
 
 io::Json facts_of(const PartMapReport& report) {
   const bool by_energy = report.method == HullMapMethod::energy;
-  io::Json facts{{"method", by_energy ? "energy" : "progressive"},
+  io::Json facts{{"method", name_of(report.method)},
                  {"facets", report.facets},
                  {"folds", report.folds},
                  {"euler_characteristic", report.euler_characteristic},

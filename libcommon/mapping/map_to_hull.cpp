@@ -23,7 +23,13 @@ Points by_energy(const Part& part, const ConvexHull& hull, const EnergyMapOption
   return std::move(mapped.images);
 }
 
-/// By the method asked for, or by the energy where that method has no result.
+Points one_to_one(ProgressiveMap mapped, HullMapMethod method, PartMapReport& report) {
+  report.method = method;
+  report.distortion = mapped.distortion;
+  return std::move(mapped.images);
+}
+
+/// By the method asked for, or by the next one where that method has no result.
 Points map_part(const Part& part, const ConvexHull& hull, const MapToHullOptions& options,
                 PartMapReport& report) {
   if (options.method == HullMapMethod::energy) return by_energy(part, hull, options.energy, report);
@@ -32,14 +38,20 @@ Points map_part(const Part& part, const ConvexHull& hull, const MapToHullOptions
                     ", which no convex hull has: decompose it further for a one-to-one map";
     return by_energy(part, hull, options.energy, report);
   }
-  try {
-    ProgressiveMap mapped = map_progressively(part, hull);
-    report.distortion = mapped.distortion;
-    return std::move(mapped.images);
-  } catch (const ComputationError& error) {
-    report.remark = std::string("could not be mapped progressively: ") + error.what();
-    return by_energy(part, hull, options.energy, report);
+  if (options.method == HullMapMethod::progressive) {
+    try {
+      return one_to_one(map_progressively(part, hull), HullMapMethod::progressive, report);
+    } catch (const ComputationError& error) {
+      report.remark = std::string("could not be mapped progressively: ") + error.what();
+    }
   }
+  try {
+    return one_to_one(map_by_lifting(part, hull), HullMapMethod::lifted, report);
+  } catch (const ComputationError& error) {
+    report.remark +=
+        (report.remark.empty() ? "" : "; ") + std::string("could not be lifted: ") + error.what();
+  }
+  return by_energy(part, hull, options.energy, report);
 }
 
 void certify(const Part& part, const ConvexHull& hull, const Points& images, PartMapReport& report) {

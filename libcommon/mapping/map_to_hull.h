@@ -7,7 +7,11 @@
 
 namespace partwise {
 
-enum class HullMapMethod { progressive, energy };
+enum class HullMapMethod {
+  progressive,  ///< map_progressively
+  lifted,       ///< map_by_lifting
+  energy        ///< map_by_energy
+};
 
 struct MapToHullOptions {
   HullMapMethod method = HullMapMethod::progressive;
@@ -36,9 +40,9 @@ struct MappedToHull {
 /// Maps every capped part onto its own convex hull ([Wu11] 5.1): by the paper's energy (see map_by_energy),
 /// or progressively (see map_progressively), which is one-to-one for every part of genus 0.
 ///
-/// A part with a handle, or one that the progressive method cannot map in double precision, is mapped by the
-/// energy instead; its report says so. All images lie on the hull within rounding.
-/// \throws ComputationError naming the part
+/// A part that the progressive method cannot map in double precision is mapped by lifting (map_by_lifting);
+/// if that cannot either, or the part has a handle, by the energy; its report says so. All images lie on the
+/// hull within rounding. \throws ComputationError naming the part
 MappedToHull map_to_hull(const HulledModel& hulled, const MapToHullOptions& options = {});
 
 }  // namespace partwise

@@ -59,12 +59,13 @@ hulled() { # hulled MESH: MESH.hull.ply from MESH.ply, as one part
   [ -n "${PARTWISE_REFERENCE_DATA:-}" ] || skip "PARTWISE_REFERENCE_DATA is not set"
   segment -q "$PARTWISE_REFERENCE_DATA/meshes/cat-reference.ply" \
     --sketch "$PARTWISE_REFERENCE_DATA/sketches/cat.sketch.json" | hull -o cat.hull.ply
-  for method in progressive energy; do
+  for method in progressive lifted energy; do
     map-to-hull -q cat.hull.ply --method $method -o all.$method.ply
     taskset -c 0 map-to-hull -q cat.hull.ply --method $method -o one.$method.ply
     cmp all.$method.ply one.$method.ply
     cmp all.$method.json one.$method.json
   done
   jq -e '.metrics["map-to-hull"] | .one_to_one and .folds == 0 and ([.parts[].distortion] | max < 2)' all.progressive.json
+  jq -e '.metrics["map-to-hull"] | .one_to_one and ([.parts[].method] | unique == ["lifted"])' all.lifted.json
   jq -e '.metrics["map-to-hull"] | .folds < 150' all.energy.json
 }
