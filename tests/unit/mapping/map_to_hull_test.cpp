@@ -15,7 +15,8 @@
 namespace partwise {
 namespace {
 
-constexpr HullMapMethod kMethods[] = {HullMapMethod::progressive, HullMapMethod::energy};
+constexpr HullMapMethod kMethods[] = {HullMapMethod::progressive, HullMapMethod::lifted,
+                                      HullMapMethod::energy};
 
 HulledModel whole(const TriMesh& mesh) {
   const std::vector<int> labels(mesh.facet_count(), 0);
@@ -68,7 +69,8 @@ TEST(MapToHull, AConvexPartStaysNearWhereItIs) {
     EXPECT_EQ(result.reports[0].folds, 0);
     EXPECT_NEAR(result.reports[0].degree, 1, 1e-9);
     EXPECT_TRUE(result.reports[0].one_to_one);
-    EXPECT_LT(largest_distance(result.map.images[0], mesh.points()), 0.03);
+    EXPECT_LT(largest_distance(result.map.images[0], mesh.points()),
+              method == HullMapMethod::lifted ? 0.04 : 0.03);
   }
 }
 
