@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "cli/command.h"
 #include "io/stage_documents.h"
@@ -21,7 +22,8 @@ io::Json metrics_of(const HullToHull& result) {
                         {"degree", part.degree},
                         {"one_to_one", part.one_to_one},
                         {"distortion", part.distortion},
-                        {"markers_held", part.markers_held}};
+                        {"euler_characteristic", part.euler_characteristic},
+                        {"released_markers", part.released_markers}};
     folds += part.folds;
     one_to_one = one_to_one && part.one_to_one;
   }
@@ -48,6 +50,37 @@ io::Json metrics_of(const HullToHull& result) {
           {"turned_curves", turns}};
 }
 
+/// Why a part has no certificate, and what to do.
+std::string reason(const PartCrossing& part) {
+  if (part.euler_characteristic != 2) return "has a handle: cut it into two parts";
+  if (part.source_folds > 0) {
+    return "folds already on its own hull (" + std::to_string(part.source_folds) +
+           " facets): see what map-to-hull said of it";
+  }
+  std::string text = "keeps " + std::to_string(part.folds) + " folded facets";
+  if (part.locked_folds > 0) {
+    text += ", " + std::to_string(part.locked_folds) +
+            " of them with all corners on its boundary, which bends the other way on the target: draw the "
+            "boundary "
+            "elsewhere, or give anchors";
+  } else if (part.folds == 0) {
+    text = "covers its hull " + std::to_string(std::lround(part.degree)) + " times";
+  } else {
+    text += ": look at its anchors and markers on both models";
+  }
+  return text;
+}
+
+/// The parts without a certificate; empty when there are none.
+std::string uncertified(const HullToHull& result) {
+  std::string text;
+  for (const PartCrossing& part : result.parts) {
+    if (part.one_to_one) continue;
+    text += (text.empty() ? "part \"" : "; part \"") + part.name + "\" " + reason(part);
+  }
+  return text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -65,6 +98,7 @@ int main(int argc, char** argv) {
                   "pull: by pulls that turn no facet over; energy: as in the paper, may fold")
       ->check(CLI::IsMember({"pull", "energy"}))
       ->capture_default_str();
+  command.certificate();
   return command.run(argc, argv, [&] {
     const io::Document source = command.read(source_path, {"hullmap"});
     const io::Document target = command.read(target_path, {"hullmap"});
@@ -75,6 +109,7 @@ int main(int argc, char** argv) {
       return map_hull_to_hull(source_map, target_map, options);
     });
     for (const std::string& warning : result.warnings) command.warn(warning);
+    command.check_certificate(uncertified(result));
     command.write(io::to_document(result.map), {&source, &target}, metrics_of(result));
   });
 }

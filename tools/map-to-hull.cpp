@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "cli/command.h"
 #include "io/stage_documents.h"
@@ -8,6 +10,15 @@ namespace {
 
 using namespace partwise;
 
+const std::map<std::string, HullMapMethod> kMethods{{"progressive", HullMapMethod::progressive},
+                                                    {"lifted", HullMapMethod::lifted},
+                                                    {"energy", HullMapMethod::energy}};
+
+std::string name_of(HullMapMethod method) {
+  return std::find_if(kMethods.begin(), kMethods.end(), [&](const auto& m) { return m.second == method; })
+      ->first;
+}
+
 /// The options as the user writes them.
 struct Choice {
   std::string method = "progressive";
@@ -15,16 +26,18 @@ struct Choice {
   EnergyMapOptions energy;
 
   MapToHullOptions options() const {
-    MapToHullOptions result{method == "energy" ? HullMapMethod::energy : HullMapMethod::progressive, energy};
+    MapToHullOptions result{kMethods.at(method), energy};
     if (laplacian == "uniform") result.energy.laplacian = LaplacianKind::uniform;
     return result;
   }
 };
 
 void declare_options(CLI::App& app, Choice& choice) {
-  app.add_option("--method", choice.method,
-                 "progressive: one-to-one for every part without handles; energy: as in the paper, may fold")
-      ->check(CLI::IsMember({"progressive", "energy"}))
+  app.add_option(
+         "--method", choice.method,
+         "progressive: one-to-one for every part without handles; lifted: its fallback, another way to a "
+         "one-to-one map; energy: as in the paper, may fold")
+      ->check(CLI::IsMember(kMethods))
       ->capture_default_str();
   app.add_option("--laplacian", choice.laplacian, "energy: how much each neighbour of a vertex counts")
       ->check(CLI::IsMember({"mean-value", "uniform"}))
@@ -47,9 +60,10 @@ void declare_options(CLI::App& app, Choice& choice) {
 
 io::Json facts_of(const PartMapReport& report) {
   const bool by_energy = report.method == HullMapMethod::energy;
-  io::Json facts{{"method", by_energy ? "energy" : "progressive"},
+  io::Json facts{{"method", name_of(report.method)},
                  {"facets", report.facets},
                  {"folds", report.folds},
+                 {"euler_characteristic", report.euler_characteristic},
                  {"degree", report.degree},
                  {"one_to_one", report.one_to_one}};
   if (by_energy) {
@@ -75,17 +89,19 @@ io::Json metrics_of(const MappedToHull& mapped) {
   return {{"one_to_one", one_to_one}, {"folds", folds}, {"parts", parts}};
 }
 
-void warn_of_folds(const cli::Command& command, const MappedToHull& mapped) {
+/// The parts without a certificate, the reason, and what to do; empty when there are none.
+std::string uncertified(const MappedToHull& mapped) {
+  std::string text;
   for (std::size_t k = 0; k < mapped.reports.size(); ++k) {
     const PartMapReport& report = mapped.reports[k];
     if (report.one_to_one) continue;
-    std::string text =
-        "part \"" + mapped.map.hulled.model.segmentation.names[k] + "\" is not mapped one-to-one: ";
-    text += std::to_string(report.folds) + " folded facets, covers its hull " +
+    text += (text.empty() ? "part \"" : "; part \"") + mapped.map.hulled.model.segmentation.names[k] + "\" ";
+    if (!report.remark.empty()) text += report.remark + "; it ";
+    text += "has " + std::to_string(report.folds) + " folded facets and covers its hull " +
             std::to_string(std::lround(report.degree)) + " times";
-    if (!report.remark.empty()) text += "; it " + report.remark;
-    command.warn(text);
+    if (report.remark.empty()) text += ", as the paper's energy may: take --method progressive";
   }
+  return text;
 }
 
 }  // namespace
@@ -97,11 +113,12 @@ int main(int argc, char** argv) {
   command.output();
   Choice choice;
   declare_options(command.options(), choice);
+  command.certificate();
   return command.run(argc, argv, [&] {
     const io::Document document = command.read(input, {"hull"});
     const MappedToHull mapped =
         command.about(input, [&] { return map_to_hull(io::read_hulled_model(document), choice.options()); });
-    warn_of_folds(command, mapped);
+    command.check_certificate(uncertified(mapped));
     command.write(io::to_document(mapped.map), {&document}, metrics_of(mapped));
   });
 }

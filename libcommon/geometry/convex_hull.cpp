@@ -13,6 +13,7 @@
 #include "geometry/flat_sides.h"
 #include "geometry/hull_candidates.h"
 #include "geometry/normals.h"
+#include "geometry/orientation.h"
 
 namespace partwise {
 namespace {
@@ -160,8 +161,8 @@ Vec3 hull_centre(const ConvexHull& hull) {
   }
   for (const Vec3& candidate : {Vec3(mean + moment / volume), mean}) {
     const bool sees_all = std::all_of(hull.facets.begin(), hull.facets.end(), [&](const Facet& f) {
-      const Vec3& a = hull.points[f[0]];
-      return (a - candidate).dot(area_vector(a, hull.points[f[1]], hull.points[f[2]])) > 0;
+      // Exact: rounding turns the normals of sliver facets anywhere.
+      return orientation_sign(candidate, hull.points[f[0]], hull.points[f[1]], hull.points[f[2]]) > 0;
     });
     if (sees_all) return candidate;
   }

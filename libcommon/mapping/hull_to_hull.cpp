@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
 #include "error.h"
@@ -49,17 +51,15 @@ void warn_of_uncertain_turns(const ModelPair& pair, HullToHull& result) {
   }
 }
 
-void warn_of_parts(HullToHull& result) {
-  for (const PartCrossing& part : result.parts) {
-    if (!part.markers_held) {
-      result.warnings.push_back("the markers of part '" + part.name +
-                                "' could not be reached without folds: they were let go");
-    }
-    const int free_folds = part.folds - part.locked_folds;
-    if (free_folds > 0) {
-      result.warnings.push_back("part '" + part.name + "' has " + std::to_string(free_folds) +
-                                " folded facets on the target's hull besides those along its boundary");
-    }
+void warn_of_markers(HullToHull& result) {
+  for (const MarkerDistance& marker : result.markers) {
+    if (marker.held) continue;
+    std::ostringstream text;
+    text << "marker '" << marker.name << "' could not be reached without folds: it stays "
+         << std::setprecision(2) << 100 * marker.distance
+         << " % of the target's diagonal away; look at its place, and at part boundaries near it, on both "
+            "models";
+    result.warnings.push_back(text.str());
   }
 }
 
@@ -87,8 +87,11 @@ HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target, const 
   std::vector<std::size_t> next_marker(parts, 0);
   const double l = pair.target.mesh.diagonal();
   for (const MarkerConstraint& marker : pair.marker_constraints) {
-    const double distance = mapped[marker.part].marker_distances[next_marker[marker.part]++];
-    result.markers.push_back({pair.markers[marker.pair].name, distance / l});
+    const std::size_t i = next_marker[marker.part]++;
+    const std::string& name = pair.markers[marker.pair].name;
+    PartToHull::Result& part = mapped[marker.part];
+    result.markers.push_back({name, part.marker_distances[i] / l, part.marker_held[i]});
+    if (!part.marker_held[i]) part.crossing.released_markers.push_back(name);
   }
   for (int k = 0; k < parts; ++k) {
     map.source_parts.push_back(source.hulled.parts[pair.source_part[k]]);
@@ -96,7 +99,7 @@ HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target, const 
     result.parts.push_back(mapped[k].crossing);
   }
   warn_of_uncertain_turns(pair, result);
-  warn_of_parts(result);
+  warn_of_markers(result);
   return result;
 }
 

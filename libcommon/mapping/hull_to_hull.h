@@ -31,13 +31,15 @@ struct PartCrossing {
   double degree = 0;        ///< how often the result covers the hull; 1 for a one-to-one map
   double distortion =
       0;  ///< symmetric Dirichlet against the part, 1 for an isometry; 0 when other folds are left
-  bool markers_held = true;  ///< false: the markers were let go because folds remained with them
+  int euler_characteristic = 0;               ///< of the source's part with its caps: 2 when it has no handle
+  std::vector<std::string> released_markers;  ///< let go because folds remained with them
 };
 
 /// Distance of a marker's image from its counterpart's in Q^t, over the target's diagonal.
 struct MarkerDistance {
   std::string name;
   double distance = 0;
+  bool held = true;  ///< false: only drawn towards its place, see PartCrossing::released_markers
 };
 
 struct HullToHull {

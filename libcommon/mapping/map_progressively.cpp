@@ -2,8 +2,14 @@
 
 #include <Eigen/SVD>
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/normals.h"
+#include "mapping/lifted_embedding.h"
 #include "mapping/progressive_embedding.h"
 #include "mapping/relax_on_hull.h"
 
@@ -11,6 +17,8 @@ namespace partwise {
 namespace {
 
 constexpr double kCapWeight = 0.1;
+constexpr std::size_t kMostRemovals = 8;  // besides caps
+constexpr int kStepsFromLifting = 300;
 
 /// The rotation that brings `directions` closest to those of the points around `centre`, weighted by ring
 /// areas.
@@ -26,6 +34,31 @@ Eigen::Matrix3d closest_rotation(const TriMesh& mesh, const Vec3& centre, const 
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
+/// Where to try to open a part: centres of caps, then all others, largest rings first.
+std::vector<int> vertices_to_remove(const Part& part) {
+  const std::vector<double> areas = ring_areas(part.mesh.points(), part.mesh.facets());
+  std::vector<int> order(part.mesh.vertex_count());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int u, int v) {
+    if (part.is_cap_vertex(u) != part.is_cap_vertex(v)) return part.is_cap_vertex(u);
+    return areas[u] > areas[v];
+  });
+  order.resize(std::min<std::size_t>(order.size(), part.cap_vertices.size() + kMostRemovals));
+  return order;
+}
+
+/// The embedding turned towards the part's own directions, on the hull, with little distortion.
+ProgressiveMap relaxed(const Part& part, const ConvexHull& hull, Points directions,
+                       const HullRelaxationOptions& options) {
+  const Vec3 centre = hull_centre(hull);
+  const Eigen::Matrix3d rotation = closest_rotation(part.mesh, centre, directions);
+  for (Vec3& direction : directions) direction = rotation * direction;
+  HullRelaxation result =
+      relax_on_hull(part.mesh, distortion_weights(part), StarHull(hull, centre), directions, {}, options);
+  for (Vec3& image : result.images) image += centre;
+  return {std::move(result.images), result.distortion, result.iterations};
+}
+
 }  // namespace
 
 std::vector<double> distortion_weights(const Part& part) {
@@ -35,14 +68,21 @@ std::vector<double> distortion_weights(const Part& part) {
 }
 
 ProgressiveMap map_progressively(const Part& part, const ConvexHull& hull) {
-  const std::vector<double> weights = distortion_weights(part);
-  const Vec3 centre = hull_centre(hull);
-  Points directions = embed_progressively(part.mesh, weights);
-  const Eigen::Matrix3d rotation = closest_rotation(part.mesh, centre, directions);
-  for (Vec3& direction : directions) direction = rotation * direction;
-  HullRelaxation relaxed = relax_on_hull(part.mesh, weights, StarHull(hull, centre), directions, {}, {});
-  for (Vec3& image : relaxed.images) image += centre;
-  return {std::move(relaxed.images), relaxed.distortion, relaxed.iterations};
+  return relaxed(part, hull, embed_progressively(part.mesh, distortion_weights(part)), {});
+}
+
+ProgressiveMap map_by_lifting(const Part& part, const ConvexHull& hull) {
+  HullRelaxationOptions options;
+  options.most_iterations = kStepsFromLifting;
+  options.least_decrease = 1e-4;
+  for (const int vertex : vertices_to_remove(part)) {
+    try {
+      return relaxed(part, hull, embed_by_lifting(part.mesh, vertex), options);
+    } catch (const ComputationError&) {
+      continue;  // below double precision from there; another vertex crowds others together
+    }
+  }
+  throw ComputationError("no disc of it can be lifted to the sphere in double precision");
 }
 
 }  // namespace partwise

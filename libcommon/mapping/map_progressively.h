@@ -22,4 +22,11 @@ std::vector<double> distortion_weights(const Part& part);
 /// \throws InputError when the part has a handle; ComputationError when double precision does not suffice
 ProgressiveMap map_progressively(const Part& part, const ConvexHull& hull);
 
+/// The same from another start, which exists for every part without a handle: the disc around a vertex,
+/// lifted to the sphere (embed_by_lifting). The vertex is the centre of the largest cap, or else the one with
+/// the largest ring; where double precision does not suffice some others are tried. What follows is as in
+/// map_progressively, with more steps, because the start is far from isometric.
+/// 	hrows as map_progressively
+ProgressiveMap map_by_lifting(const Part& part, const ConvexHull& hull);
+
 }  // namespace partwise

@@ -11,9 +11,7 @@ namespace partwise {
 namespace {
 
 int genus(const TriMesh& closed) {
-  const int euler =
-      closed.vertex_count() - static_cast<int>(closed.half_edges().n_edges()) + closed.facet_count();
-  return (2 - euler) / 2;
+  return (2 - closed.euler_characteristic()) / 2;
 }
 
 Points by_energy(const Part& part, const ConvexHull& hull, const EnergyMapOptions& options,
@@ -25,7 +23,13 @@ Points by_energy(const Part& part, const ConvexHull& hull, const EnergyMapOption
   return std::move(mapped.images);
 }
 
-/// By the method asked for, or by the energy where that method has no result.
+Points one_to_one(ProgressiveMap mapped, HullMapMethod method, PartMapReport& report) {
+  report.method = method;
+  report.distortion = mapped.distortion;
+  return std::move(mapped.images);
+}
+
+/// By the method asked for, or by the next one where that method has no result.
 Points map_part(const Part& part, const ConvexHull& hull, const MapToHullOptions& options,
                 PartMapReport& report) {
   if (options.method == HullMapMethod::energy) return by_energy(part, hull, options.energy, report);
@@ -34,14 +38,20 @@ Points map_part(const Part& part, const ConvexHull& hull, const MapToHullOptions
                     ", which no convex hull has: decompose it further for a one-to-one map";
     return by_energy(part, hull, options.energy, report);
   }
-  try {
-    ProgressiveMap mapped = map_progressively(part, hull);
-    report.distortion = mapped.distortion;
-    return std::move(mapped.images);
-  } catch (const ComputationError& error) {
-    report.remark = std::string("could not be mapped progressively: ") + error.what();
-    return by_energy(part, hull, options.energy, report);
+  if (options.method == HullMapMethod::progressive) {
+    try {
+      return one_to_one(map_progressively(part, hull), HullMapMethod::progressive, report);
+    } catch (const ComputationError& error) {
+      report.remark = std::string("could not be mapped progressively: ") + error.what();
+    }
   }
+  try {
+    return one_to_one(map_by_lifting(part, hull), HullMapMethod::lifted, report);
+  } catch (const ComputationError& error) {
+    report.remark +=
+        (report.remark.empty() ? "" : "; ") + std::string("could not be lifted: ") + error.what();
+  }
+  return by_energy(part, hull, options.energy, report);
 }
 
 void certify(const Part& part, const ConvexHull& hull, const Points& images, PartMapReport& report) {
@@ -49,7 +59,8 @@ void certify(const Part& part, const ConvexHull& hull, const Points& images, Par
   report.facets = part.mesh.facet_count();
   report.folds = found.count();
   report.degree = found.degree;
-  report.one_to_one = found.one_to_one() && genus(part.mesh) == 0;
+  report.euler_characteristic = part.mesh.euler_characteristic();
+  report.one_to_one = found.one_to_one() && report.euler_characteristic == 2;
 }
 
 }  // namespace

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <set>
 
+#include "geometry/orientation.h"
 #include "mapping/energy_phases.h"
 #include "mapping/hull_alignment.h"
+#include "mapping/release_markers.h"
 #include "mapping/untangle_on_hull.h"
 #include "measure/hull_folds.h"
 
 namespace partwise {
 namespace {
 
+constexpr double kPatientGrowth = 4;  ///< of the pulls, where the quicker ones leave folds
+constexpr int kPatientIterations = 20;
 constexpr double kCapWeight = 0.1;  ///< how much distortion counts in caps, which no one sees
 
 Points about(const Points& points, const Vec3& centre) {
@@ -128,11 +132,12 @@ Vec3 PartToHull::marker_image(const LocalMarker& marker, const Points& images) c
 
 /// A marker inside a facet is held by the corner nearest to it that is still free, at a distance that the
 /// alignment foretells.
-std::vector<Pin> PartToHull::marker_pins() const {
+std::vector<PartToHull::MarkerPin> PartToHull::marker_pins() const {
   std::set<int> taken;
   for (const Pin& pin : pins_) taken.insert(pin.vertex);
-  std::vector<Pin> pins;
-  for (const LocalMarker& marker : markers_) {
+  std::vector<MarkerPin> pins;
+  for (std::size_t m = 0; m < markers_.size(); ++m) {
+    const LocalMarker& marker = markers_[m];
     const Facet& f = source_.mesh.facet(marker.source.facet);
     std::array<int, 3> corners{0, 1, 2};
     std::stable_sort(corners.begin(), corners.end(), [&](int i, int j) {
@@ -145,7 +150,8 @@ std::vector<Pin> PartToHull::marker_pins() const {
     const int v = f[*corner];
     taken.insert(v);
     const Vec3 offset = linear_ * (own_[v] - marker_image(marker, own_));
-    pins.push_back({v, hull_.project(marker.goal + offset, 0).position});
+    pins.push_back(
+        {{v, hull_.project(marker.goal + offset, 0).position}, m, marker.source.barycentric[*corner]});
   }
   return pins;
 }
@@ -196,12 +202,20 @@ Points PartToHull::energy_start(const std::vector<Pin>& markers, const EnergyMap
   return result;
 }
 
-PinnedMap PartToHull::pinned(const std::vector<Pin>& markers, const HullToHullOptions& options) const {
+PinnedMap PartToHull::pinned(const std::vector<Pin>& markers, const std::vector<Pin>& drawn,
+                             const HullToHullOptions& options) const {
   std::vector<Pin> all = pins_;
   all.insert(all.end(), markers.begin(), markers.end());
   const Facets& facets = source_.mesh.facets();
   if (options.method == CrossMethod::pull && hull_folds(start_, facets, Vec3::Zero()).count() == 0) {
-    return pin_on_hull(source_.mesh, weights_, hull_, start_, all, kept_);
+    PinOptions pulling;
+    pulling.drawn = drawn;
+    PinnedMap map = pin_on_hull(source_.mesh, weights_, hull_, start_, all, kept_, pulling);
+    if (free_folds(map.images) == 0) return map;
+    pulling.pull_growth = kPatientGrowth;
+    pulling.iterations_per_pull = kPatientIterations;
+    PinnedMap patient = pin_on_hull(source_.mesh, weights_, hull_, start_, all, kept_, pulling);
+    return free_folds(patient.images) < free_folds(map.images) ? patient : map;
   }
   PinnedMap result;
   result.images = energy_start(markers, options.energy);
@@ -227,46 +241,74 @@ int PartToHull::free_folds(const Points& images) const {
   }));
 }
 
+/// Brings a marker inside a facet to its goal by moving the corner that holds it, the others being as they
+/// are; not where that would fold a facet.
+void PartToHull::place_exactly(const MarkerPin& pin, Points& images) const {
+  constexpr int kSteps = 40;
+  const LocalMarker& marker = markers_[pin.marker];
+  const Vec3 goal = hull_.project(marker.goal, 0).position;
+  const int v = pin.pin.vertex;
+  const Vec3 before = images[v];
+  for (int step = 0; step < kSteps; ++step) {
+    const Vec3 image = hull_.project(marker_image(marker, images), 0).position;
+    if (image == goal) break;
+    images[v] = hull_.project(images[v] + (goal - image) / pin.weight, 0).position;
+  }
+  for (const auto f : source_.mesh.half_edges().vf_range(OpenMesh::VertexHandle(v))) {
+    const auto& [a, b, c] = source_.mesh.facet(f.idx());
+    if (orientation_sign(Vec3::Zero(), images[a], images[b], images[c]) > 0) continue;
+    images[v] = before;
+    return;
+  }
+}
+
+MarkedMap PartToHull::marked(const std::vector<Pin>& markers, const HullToHullOptions& options) const {
+  auto map_with = [&](const std::vector<Pin>& held, const std::vector<Pin>& drawn) {
+    if (drawn.empty() && is_in_place(held)) {
+      PinnedMap map{start_, 0, 1, 0};
+      for (const Pin& pin : pins_) map.images[pin.vertex] = pin.goal;
+      for (const Pin& pin : held) map.images[pin.vertex] = pin.goal;
+      return map;
+    }
+    return pinned(held, drawn, options);
+  };
+  return map_with_markers(markers, map_with, [&](const PinnedMap& map) { return free_folds(map.images); });
+}
+
 PartToHull::Result PartToHull::run(const HullToHullOptions& options) const {
   Result result;
   PartCrossing& crossing = result.crossing;
   const Facets& facets = source_.mesh.facets();
-  const std::vector<Pin> markers = marker_pins();
+  const std::vector<MarkerPin> marker_places = marker_pins();
+  std::vector<Pin> markers;
+  for (const MarkerPin& place : marker_places) markers.push_back(place.pin);
   Points placed = start_;
   for (const Pin& pin : pins_) placed[pin.vertex] = pin.goal;
   for (const Pin& pin : markers) placed[pin.vertex] = pin.goal;
   crossing.source_folds = hull_folds(own_, facets, Vec3::Zero()).count();
   crossing.folds_before = hull_folds(placed, facets, Vec3::Zero()).count();
 
-  PinnedMap map;
-  if (is_in_place(markers)) {
-    map.images = placed;
-    map.folds = crossing.folds_before;
-    map.distortion = 1;
-  } else {
-    map = pinned(markers, options);
-  }
-  if (free_folds(map.images) > 0 && !markers.empty()) {
-    PinnedMap loose = pinned({}, options);
-    if (free_folds(loose.images) < free_folds(map.images)) {
-      map = std::move(loose);
-      crossing.markers_held = false;
-    }
+  MarkedMap marked_map = marked(markers, options);
+  Points& images = marked_map.map.images;
+  result.marker_held.assign(markers_.size(), false);
+  for (std::size_t i = 0; i < marker_places.size(); ++i) {
+    if (!marked_map.held[i]) continue;
+    result.marker_held[marker_places[i].marker] = true;
+    place_exactly(marker_places[i], images);
   }
   crossing.name = pair_.target.segmentation.names[part_];
   for (const LocalMarker& marker : markers_) {
-    const Vec3 image = hull_.project(marker_image(marker, map.images), 0).position;
+    const Vec3 image = hull_.project(marker_image(marker, images), 0).position;
     result.marker_distances.push_back((image - hull_.project(marker.goal, 0).position).norm());
   }
-  for (const Vec3& image : map.images) result.images.push_back(target_centre_ + image);
+  for (const Vec3& image : images) result.images.push_back(target_centre_ + image);
   const HullFolds folds = hull_folds(result.images, facets, target_centre_);
   crossing.folds = folds.count();
-  crossing.locked_folds = crossing.folds - free_folds(map.images);
+  crossing.locked_folds = crossing.folds - free_folds(images);
   crossing.degree = folds.degree;
-  const int edges = source_.mesh.facet_count() / 2 * 3;
-  const bool is_sphere = source_.mesh.vertex_count() - edges + source_.mesh.facet_count() == 2;
-  crossing.one_to_one = is_sphere && folds.one_to_one();
-  crossing.distortion = crossing.folds == crossing.locked_folds ? map.distortion : 0;
+  crossing.euler_characteristic = source_.mesh.euler_characteristic();
+  crossing.one_to_one = crossing.euler_characteristic == 2 && folds.one_to_one();
+  crossing.distortion = crossing.folds == crossing.locked_folds ? marked_map.map.distortion : 0;
   return result;
 }
 

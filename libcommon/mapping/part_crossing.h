@@ -5,6 +5,7 @@
 #include "mapping/hull_to_hull.h"
 #include "mapping/model_pair.h"
 #include "mapping/pin_on_hull.h"
+#include "mapping/release_markers.h"
 
 namespace partwise {
 
@@ -20,6 +21,7 @@ class PartToHull {
     Points images;  ///< per local vertex of the source's part, in the target's space
     PartCrossing crossing;
     std::vector<double> marker_distances;  ///< per marker constraint of this part, in units of the model
+    std::vector<bool> marker_held;         ///< per marker constraint: false when it was let go
   };
   Result run(const HullToHullOptions& options) const;
 
@@ -30,15 +32,25 @@ class PartToHull {
     Vec3 goal = Vec3::Zero();  ///< in the facet of Q^t, hence within the hull
   };
 
+  /// The vertex that stands for a marker: with which weight it enters the marker's place.
+  struct MarkerPin {
+    Pin pin;
+    std::size_t marker = 0;
+    double weight = 1;
+  };
+
   void pin_boundary(const std::vector<BoundaryPlacement>& placements);
   void pin_caps(const std::vector<BoundaryPlacement>& placements);
   void find_markers();
   void align(const Eigen::Matrix3d& upright);
-  std::vector<Pin> marker_pins() const;
+  std::vector<MarkerPin> marker_pins() const;
+  void place_exactly(const MarkerPin& pin, Points& images) const;
   Vec3 marker_image(const LocalMarker& marker, const Points& images) const;
   int free_folds(const Points& images) const;
   bool is_in_place(const std::vector<Pin>& markers) const;
-  PinnedMap pinned(const std::vector<Pin>& markers, const HullToHullOptions& options) const;
+  MarkedMap marked(const std::vector<Pin>& markers, const HullToHullOptions& options) const;
+  PinnedMap pinned(const std::vector<Pin>& markers, const std::vector<Pin>& drawn,
+                   const HullToHullOptions& options) const;
   Points energy_start(const std::vector<Pin>& markers, const EnergyMapOptions& options) const;
 
   const ModelPair& pair_;

@@ -213,8 +213,7 @@ void require_sphere(const TriMesh& mesh) {
   for (const auto h : half_edges.halfedges()) {
     if (half_edges.is_boundary(h)) throw InputError("the surface to embed is not closed");
   }
-  const auto euler = mesh.vertex_count() - static_cast<int>(half_edges.n_edges()) + mesh.facet_count();
-  if (euler != 2) {
+  if (const int euler = mesh.euler_characteristic(); euler != 2) {
     throw InputError("the surface to embed has Euler characteristic " + std::to_string(euler) +
                      ", not that of a sphere (2): cut it into parts without handles");
   }

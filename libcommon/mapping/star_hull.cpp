@@ -1,5 +1,7 @@
 #include "mapping/star_hull.h"
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "error.h"
@@ -7,26 +9,76 @@
 
 namespace partwise {
 
+namespace {
+
+/// Per facet: the one across the edge from corner i to i + 1.
+std::vector<Facet> facets_across(const TriMesh& mesh) {
+  const HalfEdges& half_edges = mesh.half_edges();
+  std::vector<Facet> neighbours;
+  for (const Facet& facet : mesh.facets()) {
+    Facet across;
+    for (int i = 0; i < 3; ++i) {
+      const auto h = half_edges.find_halfedge(OpenMesh::VertexHandle(facet[i]),
+                                              OpenMesh::VertexHandle(facet[(i + 1) % 3]));
+      across[i] = half_edges.opposite_face_handle(h).idx();
+    }
+    neighbours.push_back(across);
+  }
+  return neighbours;
+}
+
+/// A facet's edges (by the corner they start at), longest first.
+Facet edges_by_length(const Points& points, const Facet& facet) {
+  auto length = [&](int i) { return (points[facet[(i + 1) % 3]] - points[facet[i]]).squaredNorm(); };
+  Facet edges{0, 1, 2};
+  std::stable_sort(edges.begin(), edges.end(), [&](int i, int j) { return length(i) > length(j); });
+  return edges;
+}
+
+/// Per facet: itself, or for a sliver, whose normal is rounding, the facet that its plane is taken from. A
+/// sliver lies in the plane of the facet across its longest edge, to within its own height; where two slivers
+/// share that edge, in the one across the next.
+std::vector<int> planes_of_facets(const Points& points, const Facets& facets,
+                                  const std::vector<double>& areas, const std::vector<Facet>& across) {
+  constexpr double kFlat = 1e-8;  // height over length
+  std::vector<int> planes(facets.size(), -1);
+  std::vector<int> slivers;
+  for (int f = 0; f < static_cast<int>(facets.size()); ++f) {
+    const int base = edges_by_length(points, facets[f])[0];
+    const double length = (points[facets[f][(base + 1) % 3]] - points[facets[f][base]]).squaredNorm();
+    if (2 * areas[f] < kFlat * length) {
+      slivers.push_back(f);
+    } else {
+      planes[f] = f;
+    }
+  }
+  for (int rank = 0; rank < 3 && !slivers.empty();) {
+    const std::size_t before = slivers.size();
+    std::erase_if(slivers, [&](int f) {
+      planes[f] = planes[across[f][edges_by_length(points, facets[f])[rank]]];
+      return planes[f] >= 0;
+    });
+    rank = slivers.size() < before ? 0 : rank + 1;
+  }
+  for (const int f : slivers) planes[f] = f;
+  return planes;
+}
+
+}  // namespace
+
 StarHull::StarHull(const ConvexHull& hull, const Vec3& centre) : points_(hull.points), facets_(hull.facets) {
   for (Vec3& point : points_) point -= centre;
   normals_ = facet_normals(points_, facets_);
+  neighbours_ = facets_across(TriMesh(points_, facets_));
   const std::vector<double> areas = facet_areas(points_, facets_);
   area_ = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const std::vector<int> planes = planes_of_facets(points_, facets_, areas, neighbours_);
+  const Points own_normals = normals_;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    heights_.push_back(normals_[f].dot(points_[facets_[f][0]]));
+    normals_[f] = own_normals[planes[f]];
+    heights_.push_back(normals_[f].dot(points_[facets_[planes[f]][0]]));
     if (!(heights_.back() > 0))
       throw InputError("the centre lies outside the hull's facet " + std::to_string(f));
-  }
-  const TriMesh mesh(points_, facets_);
-  const HalfEdges& half_edges = mesh.half_edges();
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    Facet across;
-    for (int i = 0; i < 3; ++i) {
-      const auto h = half_edges.find_halfedge(OpenMesh::VertexHandle(facets_[f][i]),
-                                              OpenMesh::VertexHandle(facets_[f][(i + 1) % 3]));
-      across[i] = half_edges.opposite_face_handle(h).idx();
-    }
-    neighbours_.push_back(across);
   }
 }
 

@@ -34,6 +34,11 @@ class TriMesh {
   const HalfEdges& half_edges() const { return connectivity_->half_edges; }
   MeshKey key() const { return connectivity_->key; }
 
+  /// V - E + F: 2 for a sphere, 2 less for every handle.
+  int euler_characteristic() const {
+    return vertex_count() - static_cast<int>(half_edges().n_edges()) + facet_count();
+  }
+
   /// Length of the bounding box's diagonal, the l that every tolerance and distance is relative to.
   double diagonal() const;
 

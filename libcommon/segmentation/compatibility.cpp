@@ -48,9 +48,7 @@ std::vector<std::string> smallest_rotation(std::vector<std::string> word) {
 
 std::pair<int, int> loops_and_genus(const SegmentedModel& model, int k) {
   const Part part = extract_part(model, k);
-  const int euler =
-      part.mesh.vertex_count() - static_cast<int>(part.mesh.half_edges().n_edges()) + part.mesh.facet_count();
-  return {static_cast<int>(part.loops.size()), (2 - euler) / 2};
+  return {static_cast<int>(part.loops.size()), (2 - part.mesh.euler_characteristic()) / 2};
 }
 
 Facts facts_of(const SegmentedModel& model, bool is_only_part) {

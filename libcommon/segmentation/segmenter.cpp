@@ -5,6 +5,7 @@
 
 #include "error.h"
 #include "segmentation/crease_field.h"
+#include "segmentation/ears.h"
 #include "segmentation/growth.h"
 #include "segmentation/split_boundaries.h"
 
@@ -65,13 +66,18 @@ SeparatedLabels Segmenter::label_facets(const std::vector<std::string>& names, c
     whole.labels.assign(mesh_.facet_count(), 0);
     return {whole, {}};
   }
-  if (options_.method == SegmentationMethod::growth) return {grow(mesh_, names, seeds, options_), {}};
+  if (options_.method == SegmentationMethod::growth) {
+    return {remove_ears(mesh_, seeds, grow(mesh_, names, seeds, options_)), {}};
+  }
   if (!labeller_) labeller_.emplace(mesh_, options_.largest_exact);
   const int part_count = static_cast<int>(names.size());
   const std::vector<double>& costs = labeller_->boundary_costs();
   RepairedLabels repaired =
       repair_labels(mesh_, names, seeds, labeller_->labels(seeds, part_count, options_.band_cut), costs);
-  return separate_contacts(mesh_, names, seeds, std::move(repaired), costs, options_.contact_limit);
+  SeparatedLabels separated =
+      separate_contacts(mesh_, names, seeds, std::move(repaired), costs, options_.contact_limit);
+  separated.repaired = remove_ears(mesh_, seeds, std::move(separated.repaired));
+  return separated;
 }
 
 SegmentedMesh Segmenter::split(const Sketch& sketch, const std::vector<std::string>& names,

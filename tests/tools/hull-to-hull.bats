@@ -19,7 +19,7 @@ END
 @test "maps one model's parts onto the other's hulls" {
   hull_map source 6 front back
   hull_map target 8 front back
-  run hull-to-hull -q source.ply target.ply -o crossmap.ply
+  run hull-to-hull -q source.ply target.ply -o crossmap.ply --require-certificate
   expect_code 0
   [ -z "$output" ]
   jq -e '.schema == "partwise/crossmap-1" and (.history | length > 1)' crossmap.json
@@ -74,6 +74,20 @@ END
   run hull-to-hull source.ply target.ply -o crossmap.ply
   expect_code 0
   expect_text "marker 'tip' lies in part 'front' of the source but in part 'back' of the target"
+}
+
+@test "a part without a certificate is named, and refused when one is required" {
+  load meshes
+  torus 24 12 > torus.ply
+  segment -q torus.ply | hull -q | map-to-hull -q > ring.ply
+  run hull-to-hull ring.ply ring.ply -o crossmap.ply
+  expect_code 0
+  expect_text 'not certified one-to-one: part "whole" has a handle: cut it into two parts'
+  jq -e '.metrics["hull-to-hull"] | (.one_to_one | not) and .parts.whole.euler_characteristic == 0' crossmap.json
+  run hull-to-hull ring.ply ring.ply -o none.ply --require-certificate
+  expect_code 1
+  expect_text 'part "whole"'
+  [ ! -e none.ply ]
 }
 
 @test "documents of another kind are refused" {

@@ -13,7 +13,7 @@ hulled() { # hulled MESH: MESH.hull.ply from MESH.ply, as one part
 @test "the map is one-to-one and says how good it is" {
   octahedron >octahedron.ply
   hulled octahedron
-  map-to-hull octahedron.hull.ply -o map.ply
+  map-to-hull octahedron.hull.ply -o map.ply --require-certificate
   jq -e '.schema == "partwise/hullmap-1" and .history[-1].tool == "map-to-hull"' map.json
   jq -e '.metrics["map-to-hull"] | .one_to_one and .folds == 0' map.json
   jq -e '.metrics["map-to-hull"].parts.whole | .method == "progressive" and .facets == 8 and .distortion < 1.01' map.json
@@ -37,7 +37,12 @@ hulled() { # hulled MESH: MESH.hull.ply from MESH.ply, as one part
   hulled torus
   run map-to-hull torus.hull.ply -o map.ply
   [ "$status" -eq 0 ]
-  [[ $output == *'warning: part "whole" is not mapped one-to-one'*"1 handle"*decompose* ]]
+  [[ $output == *'warning: not certified one-to-one: part "whole" has 1 handle'*decompose* ]]
+  jq -e '.metrics["map-to-hull"].parts.whole.euler_characteristic == 0' map.json
+  run map-to-hull torus.hull.ply -o none.ply --require-certificate
+  [ "$status" -eq 1 ]
+  [[ $output == *'part "whole" has 1 handle'*decompose* ]]
+  [ ! -e none.ply ]
   jq -e '.metrics["map-to-hull"] | (.one_to_one | not) and .parts.whole.method == "energy"' map.json
 }
 
@@ -54,12 +59,13 @@ hulled() { # hulled MESH: MESH.hull.ply from MESH.ply, as one part
   [ -n "${PARTWISE_REFERENCE_DATA:-}" ] || skip "PARTWISE_REFERENCE_DATA is not set"
   segment -q "$PARTWISE_REFERENCE_DATA/meshes/cat-reference.ply" \
     --sketch "$PARTWISE_REFERENCE_DATA/sketches/cat.sketch.json" | hull -o cat.hull.ply
-  for method in progressive energy; do
+  for method in progressive lifted energy; do
     map-to-hull -q cat.hull.ply --method $method -o all.$method.ply
     taskset -c 0 map-to-hull -q cat.hull.ply --method $method -o one.$method.ply
     cmp all.$method.ply one.$method.ply
     cmp all.$method.json one.$method.json
   done
   jq -e '.metrics["map-to-hull"] | .one_to_one and .folds == 0 and ([.parts[].distortion] | max < 2)' all.progressive.json
+  jq -e '.metrics["map-to-hull"] | .one_to_one and ([.parts[].method] | unique == ["lifted"])' all.lifted.json
   jq -e '.metrics["map-to-hull"] | .folds < 150' all.energy.json
 }

@@ -131,13 +131,28 @@ TEST(HullToHull, OtherShapesMarkersUnitsAndSizes) {
   mark(ball);
   mark(bumps);
   ASSERT_EQ(ball.markers.size(), 6U);
+  auto facet_towards = [](const TriMesh& mesh, const Vec3& direction) {
+    int nearest = 0;
+    double most = 0;
+    for (int f = 0; f < mesh.facet_count(); ++f) {
+      const auto& [a, b, c] = mesh.facet(f);
+      const double along = (mesh.point(a) + mesh.point(b) + mesh.point(c)).normalized().dot(direction);
+      if (along <= most) continue;
+      most = along;
+      nearest = f;
+    }
+    return nearest;
+  };
+  const Vec3 corner = Vec3(1, 0.8, 0.7).normalized();
+  ball.markers.push_back({"inside a facet", {facet_towards(ball.mesh, corner), {0.3, 0.3, 0.4}}});
+  bumps.markers.push_back({"inside a facet", {facet_towards(bumps.mesh, corner), {0.2, 0.5, 0.3}}});
   Points large = bumps.mesh.points();
   const Eigen::Affine3d motion = tests::some_similarity();
   for (Vec3& p : large) p = motion * p;
   bumps.mesh = bumps.mesh.with_points(large);
   const HullToHull result = map_hull_to_hull(hull_map(ball), hull_map(bumps));
   expect_one_to_one(result);
-  ASSERT_EQ(result.markers.size(), 6U);
+  ASSERT_EQ(result.markers.size(), 7U);
   for (const MarkerDistance& marker : result.markers) EXPECT_LT(marker.distance, 1e-9) << marker.name;
   EXPECT_LT(result.parts[0].distortion, 1.5);
 }

@@ -6,6 +6,7 @@
 
 #include "builders.h"
 #include "geometry/convex_hull.h"
+#include "mapping/release_markers.h"
 #include "mapping/split_chords.h"
 #include "mapping/untangle_on_hull.h"
 
@@ -60,6 +61,63 @@ TEST_F(OnASphere, BringsPinsToTheirGoalsWithoutFolds) {
   EXPECT_LT(pinned.pulled_distance, 1e-4);
   for (const Pin& pin : pins) EXPECT_EQ(pinned.images[pin.vertex], pin.goal);
   EXPECT_LT(pinned.distortion, 1.6);
+}
+
+TEST_F(OnASphere, ReleasesTheMarkerThatCannotBeReachedAndNoOther) {
+  // The corners of a facet stay, but for one that should go to the other side of the edge between the others.
+  const auto& [a, b, c] = mesh.facet(100);
+  const int far = mesh.facet(300)[0];
+  const Vec3 over = 0.7 * (mesh.point(b) + mesh.point(c)) - 0.4 * mesh.point(a);
+  const std::vector<Pin> markers{
+      {far, mesh.point(far)}, {b, mesh.point(b)}, {c, mesh.point(c)}, {a, hull.project(over, 0).position}};
+  const MapWithMarkers map_with = [&](const std::vector<Pin>& held, const std::vector<Pin>& drawn) {
+    PinOptions options;
+    options.drawn = drawn;
+    return pin_on_hull(mesh, weights, hull, mesh.points(), held, {}, options);
+  };
+  ASSERT_GT(map_with(markers, {}).folds, 0);
+  const MarkedMap result =
+      map_with_markers(markers, map_with, [](const PinnedMap& map) { return map.folds; });
+  EXPECT_EQ(result.map.folds, 0);
+  EXPECT_EQ(result.held, (std::vector<bool>{true, true, true, false}));
+  for (std::size_t i = 0; i < markers.size(); ++i) {
+    const double distance = (result.map.images[markers[i].vertex] - markers[i].goal).norm();
+    if (result.held[i]) {
+      EXPECT_EQ(distance, 0);
+    } else {
+      EXPECT_LT(distance, (mesh.point(markers[i].vertex) - markers[i].goal).norm());
+    }
+  }
+}
+
+TEST(ReleaseMarkers, HoldsTheInnocentAgain) {
+  // 1 and 2 are guilty, but at first the fewest folds remain without 0.
+  const std::vector<Pin> markers{
+      {0, Vec3::UnitX()}, {1, Vec3::UnitY()}, {2, Vec3::UnitZ()}, {3, Vec3::UnitX()}};
+  const MapWithMarkers map_with = [](const std::vector<Pin>& held, const std::vector<Pin>&) {
+    auto holds = [&](int v) {
+      return std::any_of(held.begin(), held.end(), [&](const Pin& pin) { return pin.vertex == v; });
+    };
+    PinnedMap map;
+    map.images = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()};
+    map.folds = !holds(1) && !holds(2) ? 0 : holds(0) ? 5 : holds(1) ? 3 : 2;
+    return map;
+  };
+  const MarkedMap result =
+      map_with_markers(markers, map_with, [](const PinnedMap& map) { return map.folds; });
+  EXPECT_EQ(result.map.folds, 0);
+  EXPECT_EQ(result.held, (std::vector<bool>{true, false, false, true}));
+}
+
+TEST(ReleaseMarkers, KeepsAllWhenReleasingDoesNotHelp) {
+  const std::vector<Pin> markers{{0, Vec3::UnitX()}, {1, Vec3::UnitY()}};
+  const MarkedMap result = map_with_markers(
+      markers,
+      [](const std::vector<Pin>&, const std::vector<Pin>&) {
+        return PinnedMap{{Vec3::UnitX(), Vec3::UnitY()}, 5, 0, 0};
+      },
+      [](const PinnedMap& map) { return map.folds; });
+  EXPECT_EQ(result.held, (std::vector<bool>{true, true}));
 }
 
 TEST(SplitChords, HalvesEdgesBetweenFixedVerticesOnly) {

@@ -7,6 +7,7 @@
 
 #include "builders.h"
 #include "error.h"
+#include "mapping/lifted_embedding.h"
 #include "mapping/relax_on_hull.h"
 #include "mapping/ring_mesh.h"
 
@@ -53,6 +54,18 @@ TEST(RingMesh, RestoresWhatItCollapsed) {
     std::rotate(expected.begin(), std::min_element(expected.begin(), expected.end()), expected.end());
     std::rotate(found.begin(), std::min_element(found.begin(), found.end()), found.end());
     EXPECT_EQ(found, expected) << "around vertex " << v;
+  }
+}
+
+TEST(LiftedEmbedding, IsOneToOneFromEveryVertex) {
+  for (const TriMesh& mesh : {tests::tetrahedron(), tests::cube(3), tests::bumpy_sphere(8, 1.5)}) {
+    for (int v = 0; v < mesh.vertex_count(); v += 1 + mesh.vertex_count() / 20) {
+      const Points directions = embed_by_lifting(mesh, v);
+      const Coverage found = coverage(directions, mesh.facets());
+      EXPECT_EQ(found.folds, 0);
+      EXPECT_NEAR(found.degree, 1, 1e-9);
+      for (const Vec3& direction : directions) EXPECT_NEAR(direction.norm(), 1, 1e-12);
+    }
   }
 }
 
