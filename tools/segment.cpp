@@ -5,7 +5,6 @@
 
 #include "cli/command.h"
 #include "error.h"
-#include "io/pending_file.h"
 #include "io/segment_facts.h"
 #include "io/sketch.h"
 #include "io/stage_documents.h"
@@ -27,16 +26,9 @@ constexpr const char* kExample =
     "  segment dog.ply --sketch dog.sketch.json --propose-cuts finer.sketch.json -o dog.segment.ply\n"
     "  segment --check cat.segment.ply lion.segment.ply";
 
-/// Writes a sketch; with "-" to standard output.
 void write_sketch(const cli::Command& command, const std::string& path, const Sketch& sketch,
                   const std::string& comment) {
-  const std::string text = io::to_json(sketch, comment).dump(1) + "\n";
-  const auto put = [&](std::ostream& stream) { stream << text; };
-  if (path == "-") {
-    io::write_through(path, put);
-  } else {
-    io::write_file(path, command.force(), put);
-  }
+  command.write_text(path, io::to_json(sketch, comment).dump(1) + "\n");
 }
 
 io::Document document_of(const SegmentedMesh& segmented) {
