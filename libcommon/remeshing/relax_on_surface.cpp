@@ -14,6 +14,9 @@ constexpr double kEpsilon = 1e-2;       // of the regularisation
 constexpr double kLeastQuality = 0.02;  // flatter reference facets count as equilateral
 constexpr int kHalvings = 5;            // of a vertex's own step, when the whole would fold
 
+// Vertices cut short by the chart may let the energy rise for a step or two before it falls on.
+constexpr int kPatience = 5;
+
 using Tangents = std::vector<Eigen::Matrix<double, 3, 2>>;
 
 class Relaxation {
@@ -189,7 +192,7 @@ SurfaceRelaxation relax_on_surface(MeshOnSurface& mesh, const std::vector<double
   Relaxation relaxation(mesh, scales);
   result.energy_before = result.energy_after = relaxation.energy(mesh.points()) / relaxation.area();
   int small_decreases = 0;
-  while (result.iterations < options.iterations && small_decreases < 2) {
+  while (result.iterations < options.iterations && small_decreases < kPatience) {
     if (!relaxation.step()) break;
     ++result.iterations;
     const double energy = relaxation.energy(mesh.points()) / relaxation.area();

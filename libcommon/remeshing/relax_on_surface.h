@@ -5,8 +5,8 @@
 namespace partwise {
 
 struct SurfaceRelaxationOptions {
-  int iterations = 20;           ///< of Newton's method, at most; >= 0
-  double least_decrease = 1e-3;  ///< relative; two iterations in a row below it end the relaxation
+  int iterations = 50;           ///< of Newton's method, at most; >= 0
+  double least_decrease = 1e-3;  ///< relative; five iterations in a row below it end the relaxation
 };
 
 struct SurfaceRelaxation {
