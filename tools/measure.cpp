@@ -11,6 +11,7 @@
 #include "measure/certificate_document.h"
 #include "measure/figures_table.h"
 #include "measure/measure_document.h"
+#include "remeshing/split_source.h"
 
 using namespace partwise;
 
@@ -70,10 +71,12 @@ void write(const std::string& path, bool overwrite, const io::Json& document) {
 std::optional<GroundTruth> ground_truth(cli::Command& command, const std::string& truth,
                                         const CompatibleMesh& mesh) {
   if (truth.empty()) return std::nullopt;
-  if (truth == "identity") return identity_truth(mesh.source, mesh.target);
+  // Vertices that relocate added have no truth.
+  const TriMesh source = original_source(mesh);
+  if (truth == "identity") return identity_truth(source, mesh.target);
   return command.about(truth, [&] {
     std::istringstream text(command.read_text(truth, "ground-truth"));
-    return read_truth(text, mesh.source, mesh.target);
+    return read_truth(text, source, mesh.target);
   });
 }
 
@@ -94,8 +97,8 @@ io::Json measured(cli::Command& command, const std::string& path, const Options&
   });
   if (!options.source.empty()) {
     const io::Document source = command.read(options.source, {});
-    figures["connectivity_kept"] =
-        command.about(options.source, [&] { return io::read_mesh(source).facets() == mesh.source.facets(); });
+    figures["connectivity_kept"] = command.about(
+        options.source, [&] { return io::read_mesh(source).facets() == original_source(mesh).facets(); });
   }
   if (const io::Json profile = command.profile(); !profile.empty()) figures["metrics"]["measure"] = profile;
   figures["history"] = history(command, document, options);

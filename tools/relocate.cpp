@@ -1,5 +1,7 @@
 #include "remeshing/relocate.h"
 
+#include <sstream>
+
 #include "cli/command.h"
 #include "io/chart_tables.h"
 #include "io/stage_documents.h"
@@ -43,6 +45,24 @@ void declare_options(CLI::App& app, RelocateOptions& options) {
                  "Distance from which a target vertex counts as missed, over the target's diagonal")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  app.add_option("--refine", options.refine.error,
+                 "Add vertices to the source until the two-sided distance is below this, over the target's "
+                 "diagonal; 0: add none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--refine-limit", options.refine.limit,
+                 "Vertices that --refine may add, as a share of the source's own")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+void warn_of_gaps(cli::Command& command, const RefineFigures& figures, const RefineOptions& options) {
+  if (figures.gaps_after == 0) return;
+  std::ostringstream text;
+  text << figures.gaps_after << " of the places looked at are still more than " << options.error
+       << " of the diagonal apart after adding " << figures.added_vertices
+       << " vertices; give a larger --refine, or a larger --refine-limit if that was reached";
+  command.warn(text.str());
 }
 
 io::Json metrics_of(const RelocateMetrics& m, const std::vector<std::string>& part_names) {
@@ -51,9 +71,14 @@ io::Json metrics_of(const RelocateMetrics& m, const std::vector<std::string>& pa
       {"critical_points_reached", m.critical_reached},
       {"rounds", m.rounds},
       {"fit_moves", m.fit_moves},
+      {"refined_vertices", m.refine.added_vertices},
       {"flipped_faces", {{"before", m.flipped_before}, {"after", m.flipped_after}}},
       {"target_vertices_rms_distance", {{"before", m.rms_distance_before}, {"after", m.rms_distance_after}}},
       {"target_vertices_max_distance", {{"before", m.max_distance_before}, {"after", m.max_distance_after}}}};
+  if (m.refine.gaps_before > 0) {
+    metrics["refinement"] = {{"rounds", m.refine.rounds},
+                             {"gaps", {{"before", m.refine.gaps_before}, {"after", m.refine.gaps_after}}}};
+  }
   if (!m.charts.empty()) metrics.update(io::chart_metrics(m.charts, part_names));
   return metrics;
 }
@@ -79,6 +104,7 @@ int main(int argc, char** argv) {
                    " facets face the target's inside; try more "
                    "--unfold-sweeps, or look at the folds that hull-to-hull reports");
     }
+    warn_of_gaps(command, result.metrics.refine, options.refine);
     command.check_certificate(result.metrics.charts.empty()
                                   ? "the mesh came without charts; see the warnings of reconstruct"
                                   : io::uncertified(result.metrics.charts, result.mesh.part_names));

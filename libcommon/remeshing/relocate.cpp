@@ -103,11 +103,14 @@ Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) 
   }
   metrics.fit_moves = fit_coverage(moving, options.fit);
 
-  metrics.flipped_after = moving.flipped_count();
-  const Distances after = coverage(moving);
+  Refined refined = refine(with_images(mesh, moving), options.refine);
+  metrics.refine = refined.figures;
+  CompatibleMesh& result = refined.mesh;
+  const MeshOnSurface final_state(result);
+  metrics.flipped_after = final_state.flipped_count();
+  const Distances after = coverage(final_state);
   metrics.rms_distance_after = after.rms;
   metrics.max_distance_after = after.max;
-  CompatibleMesh result = with_images(mesh, moving);
   if (!result.charts.empty()) {
     metrics.charts = check_charts(result);
     result.inverse = inverse_map(result);

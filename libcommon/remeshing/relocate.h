@@ -4,6 +4,7 @@
 #include "remeshing/coverage_fit.h"
 #include "remeshing/critical_fit.h"
 #include "remeshing/one_to_one_map.h"
+#include "remeshing/refine.h"
 #include "remeshing/relax_on_surface.h"
 #include "remeshing/unfold.h"
 
@@ -18,6 +19,7 @@ struct RelocateOptions {
   CriticalFitOptions critical = {};
   CoverageFitOptions fit = {};
   UnfoldOptions unfold = {};
+  RefineOptions refine = {};  ///< by default nothing is added
 };
 
 struct RelocateMetrics {
@@ -28,6 +30,7 @@ struct RelocateMetrics {
   int flipped_before = 0, flipped_after = 0;
   double rms_distance_before = 0, rms_distance_after = 0;  ///< target's vertices to the mesh, over l
   double max_distance_before = 0, max_distance_after = 0;
+  RefineFigures refine;              ///< all 0 when nothing was asked for
   std::vector<ChartFigures> charts;  ///< of the result; empty when the mesh came without charts
 };
 
