@@ -1,5 +1,6 @@
 #include "remeshing/relocate.h"
 
+#include <map>
 #include <sstream>
 
 #include "cli/command.h"
@@ -9,6 +10,29 @@
 namespace {
 
 using namespace partwise;
+
+const std::map<std::string, RelocateMethod> kMethods{{"relax", RelocateMethod::relax},
+                                                     {"umbrella", RelocateMethod::umbrella}};
+const std::map<std::string, LaplacianKind> kWeights{{"mean-value", LaplacianKind::mean_value},
+                                                    {"uniform", LaplacianKind::uniform}};
+
+/// The options as the user writes them.
+struct Choice {
+  std::string method = "relax";
+  std::string umbrella_weights = "mean-value";
+};
+
+void declare_choice(CLI::App& app, Choice& choice) {
+  app.add_option("--method", choice.method,
+                 "relax: move vertices within the one-to-one map; umbrella: the paper's own scheme, for "
+                 "comparison, which may fold (options --rounds, --lambda, --critical-...)")
+      ->check(CLI::IsMember(kMethods))
+      ->capture_default_str();
+  app.add_option("--umbrella-weights", choice.umbrella_weights,
+                 "umbrella: how much each neighbour of a vertex counts; uniform loses the source's features")
+      ->check(CLI::IsMember(kWeights))
+      ->capture_default_str();
+}
 
 void declare_options(CLI::App& app, RelocateOptions& options) {
   app.add_option("--rounds", options.rounds, "Rounds of vertex relocation, Eq. (18)")
@@ -26,8 +50,10 @@ void declare_options(CLI::App& app, RelocateOptions& options) {
   app.add_option("--relax-sweeps", options.relax_sweeps, "Sweeps that even out the map's distortion")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  app.add_option("--critical-iterations", options.critical.iterations,
-                 "Rounds of pulling vertices to critical points, Eq. (17); 0: ignore critical points")
+  app.add_option(
+         "--critical-iterations", options.critical.iterations,
+         "Rounds of pulling vertices to critical points, Eq. (17); 0: ignore critical points, as in the "
+         "paper's Fig. 11c")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   app.add_option("--critical-weight", options.critical.weight,
@@ -93,9 +119,13 @@ int main(int argc, char** argv) {
       command.input("mesh", "Compatible mesh, as critical-points or reconstruct writes it");
   command.output();
   RelocateOptions options;
+  Choice choice;
+  declare_choice(command.options(), choice);
   declare_options(command.options(), options);
   command.certificate();
   return command.run(argc, argv, [&] {
+    options.method = kMethods.at(choice.method);
+    options.umbrella_weights = kWeights.at(choice.umbrella_weights);
     const io::Document document = command.read(input, {"compatible"});
     const Relocation result =
         command.about(input, [&] { return relocate(io::read_compatible_mesh(document), options); });

@@ -80,3 +80,13 @@ setup() {
   [ "$status" -eq 0 ]
   [[ $output == *"apart after adding 19 vertices"* ]]
 }
+
+@test "the paper's own scheme by option, certified only when it happens to be" {
+  relocate critical.ply --method umbrella -o umbrella.ply
+  measure umbrella.ply -o figures.json
+  jq -e '.on_surface_max < 1e-12 and .marker_error_max < 1e-12' figures.json
+  [ "$(jq .one_to_one figures.json)" = "$(jq .metrics.relocate.one_to_one umbrella.json)" ]
+  jq -e '.history[-1].arguments.method == "umbrella"' umbrella.json
+  run relocate critical.ply --method spring -o no.ply
+  [ "$status" -eq 2 ]
+}
