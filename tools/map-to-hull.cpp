@@ -23,11 +23,13 @@ std::string name_of(HullMapMethod method) {
 struct Choice {
   std::string method = "progressive";
   std::string laplacian = "mean-value";
+  std::string fitting = "normal";
   EnergyMapOptions energy;
 
   MapToHullOptions options() const {
     MapToHullOptions result{kMethods.at(method), energy};
     if (laplacian == "uniform") result.energy.laplacian = LaplacianKind::uniform;
+    if (fitting == "closest-point") result.energy.fitting = HullFitting::closest_point;
     return result;
   }
 };
@@ -39,8 +41,13 @@ void declare_options(CLI::App& app, Choice& choice) {
          "one-to-one map; energy: as in the paper, may fold")
       ->check(CLI::IsMember(kMethods))
       ->capture_default_str();
-  app.add_option("--laplacian", choice.laplacian, "energy: how much each neighbour of a vertex counts")
+  app.add_option("--laplacian", choice.laplacian,
+                 "energy: how much each neighbour of a vertex counts; uniform as in the paper's Fig. 8b")
       ->check(CLI::IsMember({"mean-value", "uniform"}))
+      ->capture_default_str();
+  app.add_option("--fitting", choice.fitting,
+                 "energy: where on the hull a vertex is drawn; closest-point as in the paper's Fig. 9c")
+      ->check(CLI::IsMember({"normal", "closest-point"}))
       ->capture_default_str();
   app.add_option("--global-weight", choice.energy.global_weight,
                  "energy: w_g, draws hull vertices to their places")

@@ -11,6 +11,9 @@
 #include "measure/certificate_document.h"
 #include "measure/figures_table.h"
 #include "measure/measure_document.h"
+#include "measure/surface_field.h"
+#include "remeshing/split_source.h"
+#include "report/colored_mesh.h"
 
 using namespace partwise;
 
@@ -21,6 +24,7 @@ struct Options {
   SurfaceDistanceOptions distance;
   std::string truth;
   std::string source;
+  std::string distance_colors, distortion_colors, fold_colors;
   bool table = false;
   bool summary = false;
   bool certify = false;
@@ -38,6 +42,15 @@ void declare(cli::Command& command, Options& options) {
       ->type_name("identity|FILE");
   app.add_option("--source", options.source, "the source's mesh, to check that its facets are kept")
       ->check(CLI::ExistingFile);
+  const auto declare_colors = [&](const std::string& name, std::string& file, const std::string& what) {
+    app.add_option(name, file, "also write X.ply: " + what)->type_name("FILE");
+  };
+  declare_colors("--distance-colors", options.distance_colors,
+                 "the target, coloured by its distance to the compatible mesh, 0 to 1 % of the diagonal");
+  declare_colors("--distortion-colors", options.distortion_colors,
+                 "the compatible mesh, coloured by the map's symmetric Dirichlet energy, 4 to 40");
+  declare_colors("--fold-colors", options.fold_colors,
+                 "the compatible mesh, coloured where facets intersect (1) or face against the target (2)");
   app.add_flag("--table", options.table, "print the figures as text; of several inputs a line for each")
       ->group("Common");
   app.add_flag("--certify", options.certify,
@@ -70,10 +83,12 @@ void write(const std::string& path, bool overwrite, const io::Json& document) {
 std::optional<GroundTruth> ground_truth(cli::Command& command, const std::string& truth,
                                         const CompatibleMesh& mesh) {
   if (truth.empty()) return std::nullopt;
-  if (truth == "identity") return identity_truth(mesh.source, mesh.target);
+  // Vertices that relocate added have no truth.
+  const TriMesh source = original_source(mesh);
+  if (truth == "identity") return identity_truth(source, mesh.target);
   return command.about(truth, [&] {
     std::istringstream text(command.read_text(truth, "ground-truth"));
-    return read_truth(text, mesh.source, mesh.target);
+    return read_truth(text, source, mesh.target);
   });
 }
 
@@ -84,6 +99,18 @@ io::Json history(const cli::Command& command, const io::Document& document, cons
   return io::extend_history({&document}, entry);
 }
 
+void write_colors(const cli::Command& command, const std::string& file, const SurfaceField& field) {
+  io::write_file(file, command.force(),
+                 [&](std::ostream& out) { io::write_ply(out, report::colored_mesh(field)); });
+}
+
+void write_colors(const cli::Command& command, const Options& options, const CompatibleMesh& mesh) {
+  if (!options.distance_colors.empty()) write_colors(command, options.distance_colors, distance_field(mesh));
+  if (!options.distortion_colors.empty())
+    write_colors(command, options.distortion_colors, distortion_field(mesh));
+  if (!options.fold_colors.empty()) write_colors(command, options.fold_colors, fold_field(mesh));
+}
+
 io::Json measured(cli::Command& command, const std::string& path, const Options& options) {
   const io::Document document = command.read(path, {"compatible"});
   const CompatibleMesh mesh = command.about(path, [&] { return io::read_compatible_mesh(document); });
@@ -92,10 +119,11 @@ io::Json measured(cli::Command& command, const std::string& path, const Options&
     return measure_document(measure(mesh, options.distance, truth),
                             stage_figures(document.metadata.value("metrics", io::Json())));
   });
+  command.about(path, [&] { write_colors(command, options, mesh); });
   if (!options.source.empty()) {
     const io::Document source = command.read(options.source, {});
-    figures["connectivity_kept"] =
-        command.about(options.source, [&] { return io::read_mesh(source).facets() == mesh.source.facets(); });
+    figures["connectivity_kept"] = command.about(
+        options.source, [&] { return io::read_mesh(source).facets() == original_source(mesh).facets(); });
   }
   if (const io::Json profile = command.profile(); !profile.empty()) figures["metrics"]["measure"] = profile;
   figures["history"] = history(command, document, options);
@@ -104,6 +132,10 @@ io::Json measured(cli::Command& command, const std::string& path, const Options&
 
 /// Writes the document of one input, prints the table of all.
 void measure_all(cli::Command& command, const Options& options, const std::string& output) {
+  const bool colors =
+      !options.distance_colors.empty() || !options.distortion_colors.empty() || !options.fold_colors.empty();
+  if (colors && options.inputs.size() > 1)
+    throw UsageError("coloured meshes are written for one input: give one");
   const bool writes = !options.table || command.options().get_option("--output")->count() > 0;
   if (writes && options.inputs.size() > 1) {
     throw UsageError("one document is written for one input: give one, or --table without -o");

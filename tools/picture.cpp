@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "error.h"
 #include "io/stage_documents.h"
+#include "report/colored_mesh.h"
 #include "report/pov_scene.h"
 
 using namespace partwise;
@@ -11,6 +12,9 @@ const std::string kMeshPrefix = "mesh=";
 
 report::Panel panel_of(const io::Document& document, bool plain) {
   const std::string kind = document.kind();
+  if (!plain && kind == "mesh" && report::has_vertex_colors(document.tables)) {
+    return report::colored_panel(document.tables);
+  }
   if (plain || kind == "mesh") return report::mesh_panel(io::read_mesh(document));
   if (kind == "segment") return report::parts_panel(io::read_segmented_model(document));
   if (kind == "hull") return report::hulls_panel(io::read_hulled_model(document));
@@ -40,7 +44,10 @@ int main(int argc, char** argv) {
   std::vector<std::string> captions;
   report::SceneOptions options;
   CLI::App& app = command.options();
-  app.add_option("document", files, "Documents of any kind; mesh=FILE shows the bare mesh of FILE")
+  app.add_option(
+         "document", files,
+         "Documents of any kind; meshes with coloured vertices are shown with their colours; mesh=FILE shows "
+         "the bare mesh of FILE")
       ->required();
   app.add_option(
          "--view", views,

@@ -4,6 +4,7 @@
 #include "error.h"
 #include "io/chart_tables.h"
 #include "io/model_tables.h"
+#include "io/refinement_tables.h"
 #include "io/stage_documents.h"
 #include "io/table_builder.h"
 #include "io/table_reader.h"
@@ -92,6 +93,7 @@ Document to_document(const CompatibleMesh& mesh) {
           .build(),
       critical_point_element(mesh.critical_points)};
   add_charts(document, mesh);
+  add_refinement(document, mesh);
   return document;
 }
 
@@ -119,6 +121,7 @@ CompatibleMesh read_compatible_mesh(const Document& document) {
                       std::move(markers),
                       std::move(critical_points)};
   read_charts(document, mesh);
+  read_refinement(document, mesh);
   metadata["parts"].require_consistent(part_facts(mesh));
   return mesh;
 }

@@ -37,6 +37,16 @@ std::vector<int> free_vertices(int count, const std::vector<VertexTarget>& globa
   return free;
 }
 
+std::vector<HullApproach> closest_on_hull(const std::vector<int>& vertices, const Points& points,
+                                          const SurfaceIndex& hull) {
+  std::vector<HullApproach> approaches;
+  for (const int v : vertices) {
+    const SurfaceHit hit = hull.closest(points[v]);
+    approaches.push_back({v, hit.position, hit.distance});
+  }
+  return approaches;
+}
+
 }  // namespace
 
 HullTarget::HullTarget(const ConvexHull& hull)
@@ -68,7 +78,9 @@ Points minimise_energy(const TriMesh& mesh, const VertexWeights& weights, const 
     const double convex_weight =
         options.first_convex_weight + along * (options.last_convex_weight - options.first_convex_weight);
     follow_normals(normals, points, mesh.facets());
-    const auto approaches = approach_hull(free, points, normals, hull.index, hull.normals);
+    const auto approaches = options.fitting == HullFitting::normal
+                                ? approach_hull(free, points, normals, hull.index, hull.normals)
+                                : closest_on_hull(free, points, hull.index);
     system.clear();
     system.add(1, smoothness);                                                                 // Eq. (7-9)
     system.add(options.global_weight, known_places);                                           // Eq. (12)

@@ -6,13 +6,18 @@ namespace partwise {
 
 enum class LaplacianKind { mean_value, uniform };
 
+/// Where on the hull a vertex is drawn: where its normal meets it ([Wu11] Eq. (10-11), Fig. 9d), or, for
+/// comparison, to its closest point, as iterative closest point schemes do (Fig. 9c).
+enum class HullFitting { normal, closest_point };
+
 /// Every weight of the paper's energy, [Wu11] Eq. (13).
 struct EnergyMapOptions {
   LaplacianKind laplacian = LaplacianKind::mean_value;  ///< Eq. (8-9), or Eq. (6) for comparison
-  double global_weight = 0.3;                           ///< w_g
-  double first_convex_weight = 0.001;                   ///< w_c of the first step after the initial one
-  double last_convex_weight = 0.01;                     ///< w_c of the last step
-  int steps = 10;                                       ///< how many, w_c growing evenly; 0 leaves w_c at 0
+  HullFitting fitting = HullFitting::normal;
+  double global_weight = 0.3;          ///< w_g
+  double first_convex_weight = 0.001;  ///< w_c of the first step after the initial one
+  double last_convex_weight = 0.01;    ///< w_c of the last step
+  int steps = 10;                      ///< how many, w_c growing evenly; 0 leaves w_c at 0
 };
 
 /// A part brought onto its own hull by the paper's energy, and what had to be done to it afterwards.

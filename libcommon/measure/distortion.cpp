@@ -49,6 +49,17 @@ double total(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+/// The factor that gives the original the image's area.
+double common_scale(const std::vector<double>& original_areas, const std::vector<double>& image_areas) {
+  const double original_area = total(original_areas), image_area = total(image_areas);
+  if (!(original_area > 0) || !(image_area > 0)) {
+    throw InputError(
+        "cannot measure distortion: " + std::string(original_area > 0 ? "the image" : "the original") +
+        " has no area; check its vertex positions");
+  }
+  return std::sqrt(image_area / original_area);
+}
+
 /// Sums over facets from which the figures follow.
 struct Sums {
   double stretch = 0, dirichlet = 0, angles = 0;
@@ -86,16 +97,24 @@ std::array<double, 2> singular_values(const Corners& original, const Corners& im
   return {(conformal + anticonformal) / 2, std::abs(conformal - anticonformal) / 2};
 }
 
+std::vector<double> facet_dirichlet_energies(const Points& original, const Points& image,
+                                             const Facets& facets) {
+  const double scale = common_scale(facet_areas(original, facets), facet_areas(image, facets));
+  std::vector<double> energies;
+  energies.reserve(facets.size());
+  for (const auto& [a, b, c] : facets) {
+    const Corners from{scale * original[a], scale * original[b], scale * original[c]};
+    Sums sums;
+    sums.add(1, 1, singular_values(from, {image[a], image[b], image[c]}));
+    energies.push_back(area_vector(from[0], from[1], from[2]).isZero(0) ? 4 : sums.dirichlet);
+  }
+  return energies;
+}
+
 Distortion distortion(const Points& original, const Points& image, const Facets& facets) {
   const std::vector<double> original_areas = facet_areas(original, facets);
   const std::vector<double> image_areas = facet_areas(image, facets);
-  const double original_area = total(original_areas), image_area = total(image_areas);
-  if (!(original_area > 0) || !(image_area > 0)) {
-    throw InputError(
-        "cannot measure distortion: " + std::string(original_area > 0 ? "the image" : "the original") +
-        " has no area; check its vertex positions");
-  }
-  const double scale = std::sqrt(image_area / original_area);
+  const double scale = common_scale(original_areas, image_areas), image_area = total(image_areas);
   Sums sums;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     if (!(original_areas[f] > 0)) continue;

@@ -36,4 +36,9 @@ struct Distortion {
 /// \throws InputError when either surface has no area
 Distortion distortion(const Points& original, const Points& image, const Facets& facets);
 
+/// Per facet s1^2 + s2^2 + 1/s1^2 + 1/s2^2, as it enters the figures of `distortion`; 4 for facets of the
+/// original without area. \pre and \throws as `distortion`
+std::vector<double> facet_dirichlet_energies(const Points& original, const Points& image,
+                                             const Facets& facets);
+
 }  // namespace partwise

@@ -15,6 +15,15 @@ struct CriticalPoint {
   double radius = 0;     ///< of its local region, in units of the model
 };
 
+/// How a source with added vertices came from the one that was read. The surface is the same.
+struct SourceRefinement {
+  Facets original_facets;              ///< over the source's first vertices; empty when nothing was added
+  std::vector<SurfacePoint> vertices;  ///< per added vertex, the source's last ones: point of the original
+  std::vector<int> parent_facet;       ///< per source facet: the original facet that it is a piece of
+
+  bool is_empty() const { return original_facets.empty(); }
+};
+
 /// The compatible mesh M^t_s: the source's connectivity with the target's shape (stages `reconstruct` to
 /// `relocate`).
 struct CompatibleMesh {
@@ -33,6 +42,7 @@ struct CompatibleMesh {
   std::vector<Chart> charts = {};
   std::vector<AddedVertex> added_vertices = {};  ///< of the source's side of the charts
   std::vector<SurfacePoint> inverse = {};  ///< with charts: per target vertex, the point of the source there
+  SourceRefinement refinement = {};        ///< of the source, which is the refined one everywhere else
 };
 
 }  // namespace partwise

@@ -6,6 +6,7 @@
 
 #include "geometry/surface_index.h"
 #include "geometry/triangle_queries.h"
+#include "remeshing/intersection_guard.h"
 
 namespace partwise {
 namespace {
@@ -15,6 +16,7 @@ class Round {
  public:
   Round(MeshOnSurface& mesh, const CoverageFitOptions& options)
       : mesh_(mesh),
+        intersections_(mesh),
         options_(options),
         facet_of_(mesh.target().vertex_count()),
         nearest_to_(mesh.source().facet_count()),
@@ -70,7 +72,13 @@ class Round {
     const double after = local_error(vertex);
     mesh_.place(vertex, old);
     if (after >= local_error(vertex) * (1 - 1e-6)) return false;
+    const int intersections = intersections_.count_around(vertex);
     mesh_.place(vertex, reached);
+    if (intersections_.count_around(vertex) > intersections) {
+      mesh_.place(vertex, old);
+      return false;
+    }
+    intersections_.moved(vertex);
     return true;
   }
 
@@ -93,6 +101,7 @@ class Round {
   }
 
   MeshOnSurface& mesh_;
+  IntersectionGuard intersections_;
   CoverageFitOptions options_;
   std::vector<int> facet_of_;
   std::vector<std::vector<int>> nearest_to_;

@@ -13,9 +13,9 @@ struct CoverageFitOptions {
 /// Draws vertices of the compatible mesh onto details of the target that it misses.
 ///
 /// A target vertex far from the compatible mesh pulls a corner of the nearest facet, the nearest one that can
-/// reach it over the target. The corner moves there (else half way) if no facet gets too flat and the sum of
-/// squared distances from all target vertices that were nearest to the facets around it falls. Returns the
-/// moves made.
+/// reach it over the target. The corner moves there (else half way) if no facet gets too flat, no further
+/// pair of facets intersects, and the sum of squared distances from all target vertices that were nearest to
+/// the facets around it falls. Returns the moves made.
 int fit_coverage(MeshOnSurface& mesh, const CoverageFitOptions& options = {});
 
 }  // namespace partwise

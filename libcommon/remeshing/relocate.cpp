@@ -53,9 +53,9 @@ std::vector<double> part_scales(const CompatibleMesh& mesh) {
   return scales;
 }
 
-CompatibleMesh with_images(const CompatibleMesh& mesh, const MeshOnSurface& moved) {
+CompatibleMesh with_images(const CompatibleMesh& mesh, const std::vector<SurfacePoint>& images) {
   CompatibleMesh result = mesh;
-  result.map = SurfaceMap(mesh.source, mesh.target, moved.images());
+  result.map = SurfaceMap(mesh.source, mesh.target, images);
   result.points = result.map.positions(mesh.target);
   return result;
 }
@@ -74,16 +74,11 @@ double relocation_round(MeshOnSurface& mesh, const VertexWeights& weights, doubl
   return sum / count;
 }
 
-Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) {
-  check(options);
-  MeshOnSurface moving(mesh);
-  RelocateMetrics metrics;
-  metrics.critical_points = static_cast<int>(mesh.critical_points.size());
-  metrics.flipped_before = moving.flipped_count();
-  const Distances before = coverage(moving);
-  metrics.rms_distance_before = before.rms;
-  metrics.max_distance_before = before.max;
+namespace {
 
+CompatibleMesh relocate_by_relaxation(const CompatibleMesh& mesh, const RelocateOptions& options,
+                                      RelocateMetrics& metrics) {
+  MeshOnSurface moving(mesh);
   const std::vector<double> scales = part_scales(mesh);
   relax_on_surface(moving, scales, options.relaxation);  // before features pin what has yet to slide
   const std::vector<CriticalPair> pairs = fit_critical_points(moving, mesh.critical_points, options.critical);
@@ -102,12 +97,54 @@ Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) 
     unfold(moving, options.unfold);
   }
   metrics.fit_moves = fit_coverage(moving, options.fit);
+  return with_images(mesh, moving.images());
+}
 
-  metrics.flipped_after = moving.flipped_count();
-  const Distances after = coverage(moving);
+/// Without charts when that broke them.
+CompatibleMesh relocate_by_umbrella(const CompatibleMesh& mesh, const RelocateOptions& options,
+                                    RelocateMetrics& metrics) {
+  const UmbrellaResult moved = relocate_by_umbrella(mesh, {.rounds = options.rounds,
+                                                           .lambda = options.lambda,
+                                                           .convergence = options.convergence,
+                                                           .weights = options.umbrella_weights,
+                                                           .critical = options.critical});
+  metrics.rounds = moved.rounds;
+  metrics.critical_reached = moved.critical_reached;
+  CompatibleMesh result = with_images(mesh, moved.images);
+  metrics.charts = check_charts(result);
+  const bool broken = std::any_of(metrics.charts.begin(), metrics.charts.end(),
+                                  [](const ChartFigures& chart) { return !chart.one_to_one; });
+  if (broken) {
+    result.charts.clear();
+    result.added_vertices.clear();
+    result.inverse.clear();
+  }
+  return result;
+}
+
+}  // namespace
+
+Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options) {
+  check(options);
+  RelocateMetrics metrics;
+  metrics.critical_points = static_cast<int>(mesh.critical_points.size());
+  const MeshOnSurface start(mesh);
+  metrics.flipped_before = start.flipped_count();
+  const Distances before = coverage(start);
+  metrics.rms_distance_before = before.rms;
+  metrics.max_distance_before = before.max;
+
+  const bool relaxes = options.method == RelocateMethod::relax;
+  Refined refined = refine(
+      relaxes ? relocate_by_relaxation(mesh, options, metrics) : relocate_by_umbrella(mesh, options, metrics),
+      options.refine);
+  metrics.refine = refined.figures;
+  CompatibleMesh& result = refined.mesh;
+  const MeshOnSurface end(result);
+  metrics.flipped_after = end.flipped_count();
+  const Distances after = coverage(end);
   metrics.rms_distance_after = after.rms;
   metrics.max_distance_after = after.max;
-  CompatibleMesh result = with_images(mesh, moving);
   if (!result.charts.empty()) {
     metrics.charts = check_charts(result);
     result.inverse = inverse_map(result);

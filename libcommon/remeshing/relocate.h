@@ -4,20 +4,30 @@
 #include "remeshing/coverage_fit.h"
 #include "remeshing/critical_fit.h"
 #include "remeshing/one_to_one_map.h"
+#include "remeshing/refine.h"
 #include "remeshing/relax_on_surface.h"
+#include "remeshing/umbrella.h"
 #include "remeshing/unfold.h"
 
 namespace partwise {
 
+enum class RelocateMethod {
+  relax,    ///< within the one-to-one map, see relocate
+  umbrella  ///< the paper's own scheme, for comparison; may fold
+};
+
 struct RelocateOptions {
+  RelocateMethod method = RelocateMethod::relax;
   int rounds = 4;             ///< of vertex relocation, Eq. (18); >= 0
   double lambda = 0.5;        ///< share of the way to the weighted mean of the neighbours, in (0, 1]
   double convergence = 1e-4;  ///< rounds end when the mean move falls below this, over the diagonal
-  int relax_sweeps = 10;      ///< of distortion, after the rounds; >= 0
+  LaplacianKind umbrella_weights = LaplacianKind::mean_value;  ///< of method umbrella; uniform for comparison
+  int relax_sweeps = 10;                                       ///< of distortion, after the rounds; >= 0
   SurfaceRelaxationOptions relaxation = {};
   CriticalFitOptions critical = {};
   CoverageFitOptions fit = {};
   UnfoldOptions unfold = {};
+  RefineOptions refine = {};  ///< by default nothing is added
 };
 
 struct RelocateMetrics {
@@ -28,7 +38,9 @@ struct RelocateMetrics {
   int flipped_before = 0, flipped_after = 0;
   double rms_distance_before = 0, rms_distance_after = 0;  ///< target's vertices to the mesh, over l
   double max_distance_before = 0, max_distance_after = 0;
-  std::vector<ChartFigures> charts;  ///< of the result; empty when the mesh came without charts
+  RefineFigures refine;              ///< all 0 when nothing was asked for
+  std::vector<ChartFigures> charts;  ///< of the result; empty when the mesh came without charts. Of method
+                                     ///< umbrella they may say that the map is not one-to-one any more
 };
 
 struct Relocation {
@@ -48,7 +60,9 @@ struct Relocation {
 ///
 /// Differs from [Wu11]: a vertex walks over the target instead of leaving it and being projected back, so
 /// that it never lands on another sheet that is near in space; its step is lambda times the way to the
-/// weighted mean, as the distance to the target by which the paper divides is 0. \throws InputError when
+/// weighted mean, as the distance to the target by which the paper divides is 0. Method umbrella is the
+/// paper's scheme (relocate_by_umbrella) with its options rounds, lambda, convergence and critical; a mesh
+/// that is not one-to-one afterwards has no charts. Both are followed by `refine`. \throws InputError when
 /// options are out of range
 Relocation relocate(const CompatibleMesh& mesh, const RelocateOptions& options = {});
 

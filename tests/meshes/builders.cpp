@@ -116,6 +116,30 @@ TriMesh bumpy_sphere(int n, double height) {
   }));
 }
 
+Points bump_directions() {
+  constexpr int count = 60;
+  Points directions;
+  for (int i = 0; i < count; ++i) {  // a spiral from pole to pole, turning by the golden angle
+    const double z = 1 - (2 * i + 1) / static_cast<double>(count),
+                 turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double around = std::sqrt(1 - z * z);
+    directions.emplace_back(around * std::cos(turn), around * std::sin(turn), z);
+  }
+  return directions;
+}
+
+TriMesh many_bumps(int n, double height) {
+  const TriMesh round = sphere(n);
+  const Points tips = bump_directions();
+  return round.with_points(mapped(round, [&](const Vec3& p) -> Vec3 {
+    double radius = 1;
+    for (const Vec3& tip : tips) {
+      radius += height * std::exp(-std::pow(std::acos(std::clamp(p.dot(tip), -1.0, 1.0)) / 0.1, 2));
+    }
+    return radius * p;
+  }));
+}
+
 TriMesh torus(double major_radius, double minor_radius, int around, int across) {
   Points points;
   Facets facets;

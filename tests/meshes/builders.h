@@ -18,6 +18,13 @@ TriMesh sphere(int n);
 /// The sphere with bumps along the six axes, each `height` high: r = 1 + height * sum exp(-(angle / 0.25)^2).
 TriMesh bumpy_sphere(int n, double height);
 
+/// The sphere with 60 narrow bumps spread evenly over it: r = 1 + height * sum exp(-(angle / 0.1)^2). No
+/// vertex of a cube knows of them, as in [Wu11] Fig. 11.
+TriMesh many_bumps(int n, double height);
+
+/// The directions of their tips, unit.
+Points bump_directions();
+
 /// Torus around the z axis: 2 * around * across facets.
 TriMesh torus(double major_radius, double minor_radius, int around, int across);
 

@@ -38,6 +38,24 @@ halves() {
   jq -e '.markers == 8 and .rms_distance < 0.005 and .max_distance < 0.03 and .hull_folds.total == 0' out/measure.json
 }
 
+@test "cube -> sphere with 60 bumps, eight markers: they arrive with critical points, and collapse without" {
+  shape cube
+  shape many-bumps
+  corner_markers 1 >cube.sketch.json
+  corner_markers 0.577 >bumps.sketch.json
+  cross_parameterize cube.ply cube.sketch.json many-bumps.ply bumps.sketch.json out RELOCATE_FLAGS="--refine 0.005"
+  jq -e '.max_distance < 0.006 and .one_to_one and .flipped_faces == 0 and .self_intersections.compatible == 0' \
+    out/measure.json
+  jq -e '.refined_vertices <= 200' out/compatible.json
+  # The paper's Fig. 11c and d, by its own scheme.
+  for without in "" "--critical-iterations 0"; do
+    "$PARTWISE_BIN/relocate" out/critical.ply --method umbrella $without --force -o umbrella.ply
+    "$PARTWISE_BIN/measure" umbrella.ply --force -o "figures${without:+-without}.json"
+  done
+  jq -e '.max_distance < 0.01' figures.json
+  jq -e '.max_distance > 0.02' figures-without.json
+}
+
 @test "open meshes: boundary on boundary" {
   shape hemisphere
   shape fine-hemisphere

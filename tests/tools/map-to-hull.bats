@@ -25,7 +25,9 @@ hulled() { # hulled MESH: MESH.hull.ply from MESH.ply, as one part
   map-to-hull octahedron.hull.ply -o map.ply --method energy --laplacian uniform --steps 4
   jq -e '.metrics["map-to-hull"].parts.whole | .method == "energy" and .folds == 0 and .folds_before_repair == 0' map.json
   jq -e '.history[-1].arguments | .method == "energy" and .laplacian == "uniform"' map.json
-  for wrong in "--method fast" "--laplacian cotangent" "--steps -1" "--global-weight 0"; do
+  map-to-hull octahedron.hull.ply -o closest.ply --method energy --fitting closest-point
+  jq -e '.history[-1].arguments.fitting == "closest-point"' closest.json
+  for wrong in "--method fast" "--fitting nearest" "--laplacian cotangent" "--steps -1" "--global-weight 0"; do
     run map-to-hull octahedron.hull.ply -o no.ply $wrong
     [ "$status" -eq 2 ]
   done

@@ -129,3 +129,15 @@ setup() {
   [ "$status" -eq 4 ]
   [[ $output == *"missing.ply"* ]]
 }
+
+@test "coloured meshes say what their colours mean, and are written for one input" {
+  measure b/compatible.ply --distance-colors d.ply --distortion-colors s.ply --fold-colors f.ply -o m.json
+  head -c 600 d.ply | grep -a "comment colours: viridis, dark violet at 0 and below, yellow at 0.01 and above, linear"
+  head -c 600 s.ply | grep -a "comment quality: symmetric Dirichlet energy"
+  convert-mesh f.ply -o f.off
+  jq -e '.history[-1].arguments == {}' m.json
+  run measure a/compatible.ply b/compatible.ply --table --fold-colors g.ply
+  [ "$status" -eq 2 ]
+  run measure a/compatible.ply --fold-colors f.ply -o n.json
+  [ "$status" -eq 4 ]
+}

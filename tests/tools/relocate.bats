@@ -63,3 +63,30 @@ setup() {
   [ "$status" -eq 3 ]
   [[ $output == *"cross.ply"* ]]
 }
+
+@test "--refine adds vertices until both surfaces are that near, and says how many" {
+  relocate critical.ply --refine 0.004 --refine-limit 1 --require-certificate -o refined.ply
+  measure refined.ply -o after.json
+  jq -e '.max_distance < 0.0044 and .one_to_one and .on_surface_max < 1e-12' after.json
+  [ "$(jq .metrics.relocate.refined_vertices refined.json)" -gt 0 ]
+  [ "$(jq .metrics.relocate.refined_vertices refined.json)" = "$(jq .refined_vertices refined.json)" ]
+  measure --certify --require-certificate refined.ply
+  relocate critical.ply --refine 0.004 --refine-limit 1 -o again.ply
+  cmp refined.ply again.ply
+}
+
+@test "--refine stops at its limit with a warning" {
+  run relocate critical.ply --refine 0.0001 --refine-limit 0.05 -o refined.ply
+  [ "$status" -eq 0 ]
+  [[ $output == *"apart after adding 19 vertices"* ]]
+}
+
+@test "the paper's own scheme by option, certified only when it happens to be" {
+  relocate critical.ply --method umbrella -o umbrella.ply
+  measure umbrella.ply -o figures.json
+  jq -e '.on_surface_max < 1e-12 and .marker_error_max < 1e-12' figures.json
+  [ "$(jq .one_to_one figures.json)" = "$(jq .metrics.relocate.one_to_one umbrella.json)" ]
+  jq -e '.history[-1].arguments.method == "umbrella"' umbrella.json
+  run relocate critical.ply --method spring -o no.ply
+  [ "$status" -eq 2 ]
+}

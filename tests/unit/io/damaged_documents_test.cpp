@@ -27,7 +27,8 @@ std::vector<Sample> samples() {
           {"hull", to_document(tests::sample_hulled_model()), read_hulled_model},
           {"hullmap", to_document(tests::sample_hull_map()), read_hull_map},
           {"crossmap", to_document(tests::sample_cross_map()), read_cross_map},
-          {"compatible", to_document(tests::sample_compatible_mesh()), read_compatible_mesh}};
+          {"compatible", to_document(tests::sample_compatible_mesh()), read_compatible_mesh},
+          {"refined", to_document(tests::sample_refined_mesh()), read_compatible_mesh}};
 }
 
 bool is_colour(const std::string& property) {

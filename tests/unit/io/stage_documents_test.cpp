@@ -157,6 +157,12 @@ void expect_equal(const CompatibleMesh& a, const CompatibleMesh& b) {
     EXPECT_EQ(a.critical_points[i].curvature, b.critical_points[i].curvature);
     EXPECT_EQ(a.critical_points[i].radius, b.critical_points[i].radius);
   }
+  EXPECT_EQ(a.refinement.original_facets, b.refinement.original_facets);
+  EXPECT_EQ(a.refinement.parent_facet, b.refinement.parent_facet);
+  ASSERT_EQ(a.refinement.vertices.size(), b.refinement.vertices.size());
+  for (std::size_t i = 0; i < a.refinement.vertices.size(); ++i) {
+    expect_equal(a.refinement.vertices[i], b.refinement.vertices[i]);
+  }
 }
 
 TEST(StageDocuments, MeshSurvives) {
@@ -215,6 +221,23 @@ TEST(StageDocuments, CompatibleMeshSurvives) {
   const Document document = through_bytes(to_document(mesh));
   EXPECT_EQ(document.metadata["schema"], "partwise/compatible-1");
   expect_equal(read_compatible_mesh(document), mesh);
+}
+
+TEST(StageDocuments, RefinedMeshSurvives) {
+  const CompatibleMesh mesh = tests::sample_refined_mesh();
+  ASSERT_EQ(mesh.refinement.vertices.size(), 4U);
+  const Document document = through_bytes(to_document(mesh));
+  EXPECT_EQ(document.metadata["refined_vertices"], 4);
+  expect_equal(read_compatible_mesh(document), mesh);
+}
+
+TEST(StageDocuments, ARefinedMeshThatIsNotTheOriginalSurfaceIsRefused) {
+  CompatibleMesh mesh = tests::sample_refined_mesh();
+  std::swap(mesh.refinement.parent_facet.front(), mesh.refinement.parent_facet.back());
+  EXPECT_THROW(read_compatible_mesh(to_document(mesh)), InputError);
+  mesh = tests::sample_refined_mesh();
+  mesh.refinement.vertices[0].barycentric = Vec3(1, 0, 0);
+  EXPECT_THROW(read_compatible_mesh(to_document(mesh)), InputError);
 }
 
 TEST(StageDocuments, WritingWhatWasReadGivesTheSameDocument) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "builders.h"
+#include "remeshing/split_source.h"
 
 namespace partwise::tests {
 namespace {
@@ -155,6 +156,17 @@ CompatibleMesh sample_compatible_mesh() {
     mesh.inverse.push_back(some_point(static_cast<int>(random() % source.facet_count()), random));
   }
   return mesh;
+}
+
+CompatibleMesh sample_refined_mesh() {
+  CompatibleMesh mesh = sample_compatible_mesh();
+  mesh.charts.clear();
+  mesh.added_vertices.clear();
+  mesh.inverse.clear();
+  const Facet first = mesh.source.facet(0), second = mesh.source.facet(5);
+  mesh = split_source(mesh, {{first[0], first[1], 0.25}, {second[2], second[0], 0.5}});
+  const int added = mesh.source.vertex_count() - 2;
+  return split_source(mesh, {{first[0], added, 0.5}, {first[2], added, 0.75}});
 }
 
 }  // namespace partwise::tests

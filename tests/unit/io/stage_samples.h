@@ -19,4 +19,7 @@ HullMap sample_hull_map();
 CrossMap sample_cross_map();
 CompatibleMesh sample_compatible_mesh();
 
+/// The same without charts, with vertices added to the source in two rounds.
+CompatibleMesh sample_refined_mesh();
+
 }  // namespace partwise::tests

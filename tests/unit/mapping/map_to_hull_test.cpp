@@ -128,6 +128,21 @@ TEST(MapToHull, TheUniformLaplacianGivesAnotherMap) {
   EXPECT_GT(largest_distance(by_uniform.map.images[0], by_mean_value.map.images[0]), 1e-3);
 }
 
+TEST(MapToHull, ClosestPointFittingFoldsWhereNormalsDoNot) {
+  // A hollow whose bottom is as near to one side of the hull as to the other.
+  const HulledModel hulled = whole(tests::bumpy_sphere(16, 0.8));
+  MapToHullOptions closest;
+  closest.method = HullMapMethod::energy;
+  closest.energy.fitting = HullFitting::closest_point;
+  closest.energy.last_convex_weight = 1;
+  MapToHullOptions normal = closest;
+  normal.energy.fitting = HullFitting::normal;
+  const MappedToHull by_closest = map_to_hull(hulled, closest), by_normal = map_to_hull(hulled, normal);
+  expect_on_hull(hulled, by_closest);
+  EXPECT_GT(largest_distance(by_closest.map.images[0], by_normal.map.images[0]), 1e-3);
+  EXPECT_LE(by_normal.reports[0].folds_before, by_closest.reports[0].folds_before);
+}
+
 TEST(MapToHull, TheConvexTermDrawsThePartOntoItsHull) {
   const HulledModel hulled = whole(tests::bumpy_sphere(8, 0.5));
   MapToHullOptions without;

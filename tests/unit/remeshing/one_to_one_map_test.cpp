@@ -4,32 +4,13 @@
 
 #include "builders.h"
 #include "convex_pairs.h"
-#include "mapping/build_hulls.h"
-#include "mapping/hull_to_hull.h"
-#include "mapping/map_to_hull.h"
 #include "measure/certificate.h"
 #include "remeshing/reconstruct.h"
 #include "remeshing/relocate.h"
+#include "torus_pair.h"
 
 namespace partwise {
 namespace {
-
-/// A torus around the z axis in two halves that meet twice.
-SegmentedModel half_tori(const TriMesh& mesh) {
-  std::vector<int> labels;
-  for (const Facet& f : mesh.facets()) {
-    labels.push_back(mesh.point(f[0]).x() + mesh.point(f[1]).x() + mesh.point(f[2]).x() > 0 ? 1 : 0);
-  }
-  return {mesh, trace_boundaries(mesh, {"left", "right"}, labels), {}, {}, {}};
-}
-
-CompatibleMesh torus_pair() {
-  auto on_hulls = [](const TriMesh& mesh) { return map_to_hull(build_hulls(half_tori(mesh))).map; };
-  return reconstruct(
-             map_hull_to_hull(on_hulls(tests::torus(1, 0.3, 20, 10)), on_hulls(tests::torus(1, 0.45, 24, 14)))
-                 .map)
-      .mesh;
-}
 
 void expect_inverse(const CompatibleMesh& mesh) {
   ASSERT_EQ(static_cast<int>(mesh.inverse.size()), mesh.target.vertex_count());
@@ -62,7 +43,7 @@ TEST(OneToOneMap, OntoItselfIsItsOwnInverse) {
 }
 
 TEST(OneToOneMap, OfATorusIsPartByPartWithOneCommonBoundary) {
-  const CompatibleMesh mesh = torus_pair();
+  const CompatibleMesh mesh = tests::torus_pair();
   ASSERT_EQ(mesh.charts.size(), 2U);
   // The target's loops have more vertices than the source's.
   EXPECT_GE(mesh.added_vertices.size(), 8U);
@@ -72,16 +53,16 @@ TEST(OneToOneMap, OfATorusIsPartByPartWithOneCommonBoundary) {
 }
 
 TEST(OneToOneMap, ABoundaryThatMissesTheTargetsIsNoCertificate) {
-  CompatibleMesh mesh = torus_pair();
+  CompatibleMesh mesh = tests::torus_pair();
   mesh.added_vertices.erase(mesh.added_vertices.begin());
   EXPECT_FALSE(certify(mesh).one_to_one());
 }
 
 TEST(OneToOneMap, RelocateKeepsIt) {
   for (const CompatibleMesh& mesh :
-       {torus_pair(), reconstruct(tests::projected_pair(tests::halves(tests::cube(6)),
-                                                        tests::halves(tests::bumpy_sphere(9, 0.3))))
-                          .mesh}) {
+       {tests::torus_pair(), reconstruct(tests::projected_pair(tests::halves(tests::cube(6)),
+                                                               tests::halves(tests::bumpy_sphere(9, 0.3))))
+                                 .mesh}) {
     const Relocation moved = relocate(mesh);
     EXPECT_NE(moved.mesh.points, mesh.points);
     EXPECT_TRUE(certify(moved.mesh).one_to_one()) << certify(moved.mesh).first_reason();
@@ -109,7 +90,7 @@ TEST(OneToOneMap, FoldsAreUndoneAndCounted) {
 }
 
 TEST(OneToOneMap, AHandleInsideAPartIsNamed) {
-  CompatibleMesh mesh = torus_pair();
+  CompatibleMesh mesh = tests::torus_pair();
   mesh.charts.clear();
   mesh.added_vertices.clear();
   mesh.part_names = {"all", "none"};

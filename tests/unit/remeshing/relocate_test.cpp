@@ -173,6 +173,42 @@ TEST(Relocate, DoesNotDependOnScale) {
   EXPECT_LT(mean_distance(result, expected), 1e-9);
 }
 
+TEST(Relocate, TheUmbrellaEndsOnTheTargetAtItsCriticalPoints) {
+  const TriMesh target = tests::bumpy_sphere(24, 0.4);
+  CompatibleMesh mesh = projected(tests::cube(9), target);
+  const SurfaceIndex surface(target);
+  const Relocation without = relocate(mesh, {.method = RelocateMethod::umbrella});
+  mesh.critical_points = find_critical_points(mesh).points;
+  const Relocation with = relocate(mesh, {.method = RelocateMethod::umbrella});
+  EXPECT_GT(with.metrics.critical_reached, 6);
+  for (const Vec3& p : with.mesh.points) EXPECT_LT(surface.closest(p).distance, 1e-12);
+  EXPECT_LT(with.metrics.rms_distance_after, 0.5 * without.metrics.rms_distance_after);
+}
+
+TEST(Relocate, AnUmbrellaThatBreaksTheMapSaysSo) {
+  CompatibleMesh mesh = projected(tests::cube(9), tests::bumpy_sphere(24, 0.4));
+  mesh.critical_points = find_critical_points(mesh).points;
+  const Relocation result = relocate(mesh, {.method = RelocateMethod::umbrella});
+  ASSERT_EQ(result.metrics.charts.size(), 1U);
+  EXPECT_EQ(result.metrics.charts[0].one_to_one, !result.mesh.charts.empty());
+  EXPECT_EQ(result.metrics.charts[0].reason.empty(), !result.mesh.charts.empty());
+}
+
+TEST(Relocate, UniformWeightsLoseTheShapeOfTheSource) {
+  // One half of the grid finer than the other: uniform weights even that out.
+  const TriMesh flat = tests::grid(8);
+  Points points = flat.points();
+  for (Vec3& p : points) p.x() += 0.3 * (1 - p.x() * p.x());
+  const CompatibleMesh mesh = shaken(flat.with_points(points), 0, 1);
+  const auto moved = [&](LaplacianKind weights) {
+    const Relocation result =
+        relocate(mesh, {.method = RelocateMethod::umbrella, .rounds = 20, .umbrella_weights = weights});
+    return mean_distance(result.mesh.points, mesh.points);
+  };
+  EXPECT_LT(moved(LaplacianKind::mean_value), 1e-9);
+  EXPECT_GT(moved(LaplacianKind::uniform), 0.01);
+}
+
 TEST(Relocate, RefusesOptionsOutOfRange) {
   const CompatibleMesh mesh = shaken(tests::tetrahedron(), 0, 1);
   EXPECT_THROW(relocate(mesh, {.lambda = 0}), InputError);
