@@ -159,6 +159,10 @@ void SeriesOutput::write(const Series& series, const std::vector<const io::Docum
       for (io::Element& element : document.tables.elements) {
         io::carry_columns(element, *series.looks->tables.find(element.name));
       }
+      for (const std::string& comment : series.looks->tables.comments) {
+        // Where MeshLab and others look for the image that texture coordinates belong to.
+        if (comment.starts_with("TextureFile")) document.tables.comments.push_back(comment);
+      }
     }
     command_.write_to(path_of(series.names[i]), std::move(document), inputs, series.metrics[i]);
   }

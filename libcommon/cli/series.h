@@ -26,11 +26,12 @@ void require_same_connectivity(const TriMesh& mesh, const std::string& path, con
 /// Shapes of one connectivity, of which a tool makes several at a time.
 struct Series {
   std::string name;
-  TriMesh mesh;                         ///< the connectivity
-  std::vector<Points> shapes;           ///< per shape
-  std::vector<std::string> names;       ///< per shape: file name without ending
-  std::vector<io::Json> metrics;        ///< per shape
-  const io::Document* looks = nullptr;  ///< whose columns of `vertex` and `face` the shapes get, if any
+  TriMesh mesh;                    ///< the connectivity
+  std::vector<Points> shapes;      ///< per shape
+  std::vector<std::string> names;  ///< per shape: file name without ending
+  std::vector<io::Json> metrics;   ///< per shape
+  /// Whose columns of `vertex` and `face` the shapes get, if any.
+  const io::Document* looks = nullptr;
 };
 
 /// Where a series goes: FOLDER/ (NAME.ply and NAME.json for each), X.glb (one animation), or one X.ply or -.

@@ -87,3 +87,53 @@ length_along_x() {
   expect_code 0
   expect_text "not certified one-to-one"
 }
+
+# A PLY of the source with a colour and a number per vertex and a label per facet: painted <file.ply>
+painted() {
+  awk '
+    FNR == 2 {
+      printf "ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex %d\n", $1
+      print "property double x\nproperty double y\nproperty double z"
+      print "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float height"
+      printf "element face %d\nproperty list uchar int vertex_indices\nproperty int side\nend_header\n", $2
+    }
+    FNR > 2 && NF == 3 { x[n++] = $1; print $0, 200, 100, 0, $3 }
+    NF == 4 { print $0, (x[$2] + x[$3] + x[$4] > 0 ? 7 : 4) }' source.off >"$1"
+}
+
+@test "the target gets the properties of the source, and gives them back" {
+  painted painted.ply
+  transfer map.ply --attributes painted.ply -o there.ply
+  jq -e '.metrics.transfer.properties == ["red", "green", "blue", "height", "side"]' there.json
+  grep -q 'comment TextureFile skin.png' there.ply
+  document --check there.ply
+  transfer map.ply --reverse --attributes there.ply -o back.ply
+  jq -e '.metrics.transfer.properties == ["red", "green", "blue", "height", "side"]' back.json
+  [ "$(grep -c 'element vertex 386' back.ply)" = 1 ]
+  # A viewer gets the colour: linear light of 200, 100, 0.
+  transfer map.ply --attributes painted.ply -o there.glb
+  grep -aq COLOR_0 there.glb
+  transfer map.ply --attributes painted.ply --property side -o side.ply
+  jq -e '.metrics.transfer.properties == ["side"]' side.json
+}
+
+@test "properties that are missing are named, with those that are there" {
+  painted painted.ply
+  run transfer map.ply --attributes painted.ply --property colour -o x.ply
+  expect_code 3
+  expect_text "painted.ply: neither vertices nor facets have a property 'colour' to transfer; there are: red, green, blue, height, side"
+  run transfer map.ply --attributes source.off -o x.ply
+  expect_code 3
+  expect_text "only PLY"
+  convert-mesh source.off -o bare.ply
+  run transfer map.ply --attributes bare.ply -o x.ply
+  expect_code 3
+  expect_text "no property to transfer"
+  run transfer cross.ply --attributes painted.ply -o x.ply
+  expect_code 3
+  expect_text "need a compatible mesh"
+  run transfer map.ply -o x.ply
+  expect_code 2
+  expect_text "nothing to transfer"
+  [ ! -e x.ply ]
+}
