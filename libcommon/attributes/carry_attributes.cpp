@@ -70,6 +70,7 @@ Property face_column(const Property& property, const std::vector<std::vector<Sur
     std::vector<int> rows;
     for (const std::vector<SurfacePoint>& of_facet : samples) {
       std::vector<int> facets;
+      facets.reserve(of_facet.size());
       for (const SurfacePoint& sample : of_facet) facets.push_back(sample.facet);
       rows.push_back(most_frequent(facets));
     }

@@ -57,13 +57,16 @@ Vec3 nearest_logarithm(const Vec3& logarithm, const Vec3& near) {
 }
 
 Points rotation_logarithms(const TriMesh& mesh, const std::vector<Eigen::Matrix3d>& rotations,
-                           const std::vector<bool>& known) {
+                           const std::vector<bool>& known, double certain) {
   Points logarithms(mesh.facet_count());
   for (int f = 0; f < mesh.facet_count(); ++f) logarithms[f] = rotation_logarithm(rotations[f]);
   using Step = std::tuple<double, int, int>;  // change of rotation, facet, facet it is reached from
   std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
   std::vector<bool> reached(mesh.facet_count(), false);
   for (const int seed : seeds(mesh, logarithms, known)) steps.emplace(0.0, seed, seed);
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    if (known[f] && logarithms[f].norm() < certain) steps.emplace(0.0, f, f);
+  }
   while (!steps.empty()) {
     const int facet = std::get<1>(steps.top()), from = std::get<2>(steps.top());
     steps.pop();

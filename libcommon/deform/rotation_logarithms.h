@@ -22,8 +22,9 @@ Vec3 nearest_logarithm(const Vec3& logarithm, const Vec3& near);
 /// Grows over each component from the facet turned least, always across the edge where the rotation changes
 /// least; so facets with a rotation of their own (slivers, folds) do not lead the others astray.
 /// \param rotations one per facet; for facets that are not `known`, anything
-/// \return one per facet; those not known are reached last
+/// \param certain facets turned by less than this, in radians, are taken to have no further turn: it grows
+/// from all of them \return one per facet; those not known are reached last
 Points rotation_logarithms(const TriMesh& mesh, const std::vector<Eigen::Matrix3d>& rotations,
-                           const std::vector<bool>& known);
+                           const std::vector<bool>& known, double certain = 0);
 
 }  // namespace partwise

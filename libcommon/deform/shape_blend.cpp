@@ -9,12 +9,19 @@
 
 #include "deform/facet_transform.h"
 #include "deform/rotation_logarithms.h"
+#include "deform/smoothed_rotations.h"
 #include "error.h"
 #include "geometry/normals.h"
 #include "mapping/parallel_parts.h"
 
 namespace partwise {
 namespace {
+
+/// Over which rotations are smoothed, over the root of the model's area (which, unlike its bounding box, does
+/// not change when it is turned): about the width of a limb.
+constexpr double kReach = 0.08;
+/// Up to this angle to its surroundings, in radians, a facet is not taken to have gone around once more.
+constexpr double kCertain = 2;
 
 /// The rotation of a model as a whole: nearest to the facets' rotations in the mean over area.
 Eigen::Matrix3d whole_rotation(const std::vector<Eigen::Matrix3d>& rotations, const std::vector<bool>& known,
@@ -75,8 +82,15 @@ void ShapeBlend::split(const TriMesh& first) {
     const Eigen::Matrix3d whole = whole_rotation(rotations, known, areas);
     whole_[k] = rotation_logarithm(whole);
     for (Eigen::Matrix3d& rotation : rotations) rotation = whole.transpose() * rotation;
-    const Points logarithms = rotation_logarithms(first, rotations, known);
-    for (std::size_t f = 0; f < facets_.size(); ++f) facet_blends_[f].logarithms.push_back(logarithms[f]);
+    const std::vector<Eigen::Matrix3d> smooth = smoothed_rotations(
+        first, rotations, known, kReach * std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.0)));
+    const Points logarithms = rotation_logarithms(first, smooth, std::vector<bool>(facets_.size(), true));
+    for (std::size_t f = 0; f < facets_.size(); ++f) rotations[f] = smooth[f].transpose() * rotations[f];
+    const Points rest = rotation_logarithms(first, rotations, known, kCertain);
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      facet_blends_[f].smooth.push_back(logarithms[f]);
+      facet_blends_[f].rest.push_back(rest[f]);
+    }
   }
 }
 
@@ -92,14 +106,16 @@ FacetEdges ShapeBlend::blended_edges(int facet, const std::vector<double>& weigh
     }
     return edges;
   }
-  Vec3 logarithm = Vec3::Zero();
+  Vec3 smooth = Vec3::Zero(), rest = Vec3::Zero();
   Eigen::Matrix3d stretch = weights[0] * Eigen::Matrix3d::Identity();
   for (std::size_t k = 1; k < models_.size(); ++k) {
-    logarithm += shares[k] * blend.logarithms[k - 1];
+    smooth += shares[k] * blend.smooth[k - 1];
+    rest += shares[k] * blend.rest[k - 1];
     stretch += weights[k] * blend.stretch[k - 1];
   }
   if (*std::min_element(weights.begin(), weights.end()) < 0) stretch = without_inversion(stretch);
-  const Eigen::Matrix3d gradient = whole * rotation_exponential(logarithm) * stretch;
+  const Eigen::Matrix3d gradient =
+      whole * rotation_exponential(smooth) * rotation_exponential(rest) * stretch;
   for (Vec3& edge : edges) edge = gradient * edge;
   return edges;
 }

@@ -15,12 +15,13 @@ enum class BlendMethod {
 /// Affine blends of models with one connectivity: between two (a morph) or many, and beyond them.
 ///
 /// Rotations: every facet's deformation gradient from the first model to each other one is split into a
-/// rotation and a stretch; the blend of weights w has the rotation exp(sum w_k log R_k) and the stretch
-/// sum w_k S_k, and the positions are those whose edges come nearest (SurfaceIntegration). The rotation that
-/// a model has as a whole is split off first, and log R_k goes on from facet to facet beyond half a turn
-/// (rotation_logarithms). After Alexa et al. 2000 and Sumner et al. 2005. Weights of a model alone give back
-/// that model. Centres of components follow
-/// straight lines.
+/// rotation R_k and a stretch S_k. The blend of weights w has the stretch sum w_k S_k, and the positions are
+/// those whose edges come nearest (SurfaceIntegration). R_k is the product of what the model turns as a
+/// whole, what the facet's surroundings turn besides (smoothed_rotations) and what is left to the facet, and
+/// each factor is blended on its own, exp(sum w_k log): so all of a limb turns alike, and a fold at its joint
+/// does not lead it astray. Logarithms go on from facet to facet beyond half a turn (rotation_logarithms).
+/// After Alexa et al. 2000 and Sumner et al. 2005. Weights of a model alone give back that model. Centres of
+/// components follow straight lines.
 /// Not guaranteed: that blends are free of self-intersections.
 class ShapeBlend {
  public:
@@ -39,7 +40,7 @@ class ShapeBlend {
  private:
   struct FacetBlend {
     bool known = true;                     // false: a line in some model; its edges are blended linearly
-    Points logarithms;                     // per model but the first
+    Points smooth, rest;                   // per model but the first: rotation vectors
     std::vector<Eigen::Matrix3d> stretch;  // per model but the first
   };
   void split(const TriMesh& first);

@@ -48,6 +48,7 @@ io::PlyTables tables_of(const TriMesh& mesh) {
 template <class T, class Function>
 io::Property column_of(const std::string& name, int rows, Function value) {
   std::vector<T> values;
+  values.reserve(rows);
   for (int row = 0; row < rows; ++row) values.push_back(static_cast<T>(value(row)));
   return io::scalar_column(name, std::move(values));
 }

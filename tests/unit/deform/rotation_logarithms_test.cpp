@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "builders.h"
+#include "deform/smoothed_rotations.h"
 
 namespace partwise {
 namespace {
@@ -49,6 +50,36 @@ TEST(RotationLogarithms, UnknownFacetsTakeTheirNeighbours) {
   rotations[17] = rotation_exponential(Vec3(0, 3, 0));
   for (const Vec3& found : rotation_logarithms(mesh, rotations, known)) {
     EXPECT_LT((found - Vec3(0.2, 0, 0)).norm(), 1e-12);
+  }
+}
+
+TEST(RotationLogarithms, FacetsThatAreCertainStayAsTheyAre) {
+  const TriMesh mesh = tests::sphere(4);
+  std::vector<Eigen::Matrix3d> rotations(mesh.facet_count(), rotation_exponential(Vec3(-0.2, 0, 0)));
+  // One that is turned by more than half a turn against the others.
+  rotations[17] = rotation_exponential(Vec3(3.5, 0, 0));
+  const std::vector<bool> known(mesh.facet_count(), true);
+  const Points found = rotation_logarithms(mesh, rotations, known, 1.0);
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    EXPECT_LT((found[f] - Vec3(f == 17 ? 3.5 - 2 * kPi : -0.2, 0, 0)).norm(), 1e-12);
+  }
+}
+
+TEST(SmoothedRotations, EqualOnesStayAndSingleOnesFollowTheOthers) {
+  const TriMesh mesh = tests::bumpy_sphere(6, 0.2);
+  const Eigen::Matrix3d common = rotation_exponential(Vec3(1, -2, 0.5));
+  std::vector<Eigen::Matrix3d> rotations(mesh.facet_count(), common);
+  std::vector<bool> known(mesh.facet_count(), true);
+  for (const auto& smooth : smoothed_rotations(mesh, rotations, known, 0.5)) {
+    EXPECT_TRUE(smooth.isApprox(common, 1e-9));
+  }
+  rotations[20] = Eigen::Matrix3d::Identity();
+  for (const auto& smooth : smoothed_rotations(mesh, rotations, known, 0.5)) {
+    EXPECT_LT(rotation_logarithm(common.transpose() * smooth).norm(), 0.1);
+  }
+  known[20] = false;
+  for (const auto& smooth : smoothed_rotations(mesh, rotations, known, 0.5)) {
+    EXPECT_LT(rotation_logarithm(common.transpose() * smooth).norm(), 1e-6);
   }
 }
 
