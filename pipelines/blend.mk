@@ -5,9 +5,11 @@
 # MODELS, SKETCHES and OUT are as in batch.mk: models and pairs that a batch made in OUT are not made again. The
 # connectivity is that of the first name, or CONNECTIVITY=name. OUT/blend.ply is the blend with WEIGHTS, one per name in
 # their order (equal shares when not given); OUT/blend.glb goes from each model to the next, and back to the first, in
-# FRAMES (49) frames. MORPH_FLAGS are further options of morph.
+# FRAMES (49) frames. The models are scaled, turned and moved onto the first of NAMES, so that only their shapes are
+# blended; ALIGN=no leaves them as they are. MORPH_FLAGS are further options of morph.
 CONNECTIVITY ?= $(firstword $(NAMES))
 FRAMES ?= 49
+morph_options = $(if $(filter no,$(ALIGN)),,--align) $(MORPH_FLAGS)
 $(if $(word 2,$(NAMES)),,$(error NAMES="$(NAMES)" are no two models or more; say NAMES="cow camel triceratops"))
 $(if $(filter $(CONNECTIVITY),$(NAMES)),,$(error CONNECTIVITY=$(CONNECTIVITY) is none of NAMES="$(NAMES)"))
 others := $(filter-out $(CONNECTIVITY),$(NAMES))
@@ -23,7 +25,7 @@ compatibles := $(foreach name,$(others),$(call document,$(call pair_of,$(name)))
 .PHONY: blend
 blend: $(call document,$(OUT)/blend) $(OUT)/blend.glb
 
-$(call document,$(OUT)/blend) &: $(compatibles) $(call settings,$(OUT)/.settings/blend,$(shapes) $(WEIGHTS) $(MORPH_FLAGS))
-	'$(PARTWISE_BIN)/morph' $(shapes) $(if $(WEIGHTS),--weights=$(WEIGHTS)) $(MORPH_FLAGS) --force -o $(OUT)/blend.ply
-$(OUT)/blend.glb: $(compatibles) $(call settings,$(OUT)/.settings/blend-animation,$(shapes) $(FRAMES) $(MORPH_FLAGS))
-	'$(PARTWISE_BIN)/morph' $(shapes) $(firstword $(shapes)) --frames=$(FRAMES) $(MORPH_FLAGS) --force -o $@
+$(call document,$(OUT)/blend) &: $(compatibles) $(call settings,$(OUT)/.settings/blend,$(shapes) $(WEIGHTS) $(morph_options))
+	'$(PARTWISE_BIN)/morph' $(shapes) $(if $(WEIGHTS),--weights=$(WEIGHTS)) $(morph_options) --force -o $(OUT)/blend.ply
+$(OUT)/blend.glb: $(compatibles) $(call settings,$(OUT)/.settings/blend-animation,$(shapes) $(FRAMES) $(morph_options))
+	'$(PARTWISE_BIN)/morph' $(shapes) $(firstword $(shapes)) --frames=$(FRAMES) $(morph_options) --force -o $@

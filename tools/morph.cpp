@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/series.h"
+#include "deform/aligned_model.h"
 #include "deform/shape_blend.h"
 #include "io/model_tables.h"
 #include "measure/inverted_facets.h"
@@ -14,6 +15,7 @@ namespace {
 
 const std::string kSourcePrefix = "source=";
 constexpr int kFrames = 25;
+constexpr double kSizesApart = 3;  ///< a ratio that people are told of
 
 struct Request {
   std::vector<std::string> models;
@@ -21,6 +23,7 @@ struct Request {
   std::vector<double> places;
   std::vector<std::string> weights;
   std::string method = "rotations";
+  bool align = false;
 };
 
 void declare(CLI::App& app, Request& request) {
@@ -49,6 +52,8 @@ void declare(CLI::App& app, Request& request) {
                  "move straight")
       ->check(CLI::IsMember({"rotations", "linear"}))
       ->capture_default_str();
+  app.add_flag("--align", request.align,
+               "Scale, turn and move the models onto the first, so that only their shapes are blended");
 }
 
 std::vector<double> numbers_of(const std::string& text) {
@@ -138,6 +143,23 @@ Models read_models(cli::Command& command, const std::vector<std::string>& argume
   return models;
 }
 
+/// The models but the first, aligned if that is wanted; else a warning where sizes are far apart.
+std::vector<Points> other_shapes(const cli::Command& command, const Models& models, bool align) {
+  const TriMesh& first = models.meshes[0];
+  const double area = surface_area(first.points(), first.facets());
+  std::vector<Points> shapes;
+  for (std::size_t i = 1; i < models.meshes.size(); ++i) {
+    const Points& points = models.meshes[i].points();
+    shapes.push_back(align ? aligned_model(points, first.points(), first.facets()) : points);
+    const double ratio = std::sqrt(surface_area(points, first.facets()) / area);
+    if (align || (ratio < kSizesApart && ratio > 1 / kSizesApart)) continue;
+    command.warn(models.names[i] + " is " + number_text(std::round(100 * ratio) / 100) +
+                 " times as large as " + models.names[0] +
+                 ", so weights count accordingly; --align brings them to one size");
+  }
+  return shapes;
+}
+
 std::vector<std::string> frame_names(std::size_t count) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < count; ++i) {
@@ -163,8 +185,7 @@ int main(int argc, char** argv) {
     warn_of_sums(command, weights);
     const std::vector<std::string> names = frame_names(weights.size());
     output.require_writable(names);
-    std::vector<Points> others;
-    for (std::size_t i = 1; i < models.meshes.size(); ++i) others.push_back(models.meshes[i].points());
+    const std::vector<Points> others = other_shapes(command, models, request.align);
     const ShapeBlend blend(models.meshes[0], others,
                            request.method == "linear" ? BlendMethod::linear : BlendMethod::rotations);
     cli::Series series{"morph", models.meshes[0], blend.frames(weights), names, {}};

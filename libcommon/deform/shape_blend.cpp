@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "deform/aligned_model.h"
 #include "deform/facet_transform.h"
 #include "deform/rotation_logarithms.h"
 #include "deform/smoothed_rotations.h"
@@ -83,7 +84,7 @@ void ShapeBlend::split(const TriMesh& first) {
     whole_[k] = rotation_logarithm(whole);
     for (Eigen::Matrix3d& rotation : rotations) rotation = whole.transpose() * rotation;
     const std::vector<Eigen::Matrix3d> smooth = smoothed_rotations(
-        first, rotations, known, kReach * std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.0)));
+        first, rotations, known, kReach * std::sqrt(surface_area(first.points(), facets_)));
     const Points logarithms = rotation_logarithms(first, smooth, std::vector<bool>(facets_.size(), true));
     for (std::size_t f = 0; f < facets_.size(); ++f) rotations[f] = smooth[f].transpose() * rotations[f];
     const Points rest = rotation_logarithms(first, rotations, known, kCertain);

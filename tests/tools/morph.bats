@@ -99,6 +99,20 @@ expect_near() {
   [ -z "$output" ]
 }
 
+@test "models of other sizes are told of, and aligned on request" {
+  shapes 3
+  awk 'NF == 3 && FNR > 2 { printf "%.17g %.17g %.17g\n", 10 * $2 + 4, -10 * $1, 10 * $3; next } { print }' ball.off >large.off
+  run morph ball.ply large.off --at 1 -o large.ply
+  expect_code 0
+  expect_text "large.off is 10 times as large as ball.ply"
+  run morph ball.ply large.off --at 1 --align -o same.ply
+  expect_code 0
+  [ -z "$output" ]
+  points_of ball.ply >a
+  points_of same.ply >b
+  expect_near a b
+}
+
 @test "what does not fit is refused, and nothing is written" {
   shapes 3
   sphere 4 other.off

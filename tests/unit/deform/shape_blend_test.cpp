@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "builders.h"
+#include "deform/aligned_model.h"
 #include "deform/rotation_logarithms.h"
 #include "error.h"
 #include "measure/inverted_facets.h"
@@ -184,6 +185,15 @@ TEST(ShapeBlend, AnyNumberOfFramesIsTheSameOneByOne) {
   const auto weights = weights_along(2, 70);
   const auto together = blend.frames(weights);
   EXPECT_EQ(together[50], blend.frames({weights[50]})[0]);
+}
+
+TEST(AlignedModel, UndoesASimilarity) {
+  const TriMesh first = tests::bumpy_sphere(5, 0.3);
+  const Points moved = mapped(first.points(), [](const Vec3& p) {
+    return Vec3(7 * (rotation_exponential(Vec3(1, 2, -1)) * p) + Vec3(3, 0, 9));
+  });
+  EXPECT_LT(largest_difference(aligned_model(moved, first.points(), first.facets()), first.points()), 1e-12);
+  EXPECT_NEAR(surface_area(moved, first.facets()), 49 * surface_area(first.points(), first.facets()), 1e-9);
 }
 
 TEST(WeightsAlong, PassThroughEveryModel) {
