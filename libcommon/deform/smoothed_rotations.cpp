@@ -20,6 +20,7 @@ Vec3 centroid(const TriMesh& mesh, int facet) {
 Eigen::SparseMatrix<double> diffusion(const TriMesh& mesh, const std::vector<double>& areas, double reach) {
   const double least = 1e-6 * mesh.diagonal();
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(6 * static_cast<std::size_t>(mesh.facet_count()));
   for (int f = 0; f < mesh.facet_count(); ++f) entries.emplace_back(f, f, areas[f]);
   const HalfEdges& half_edges = mesh.half_edges();
   for (const auto e : half_edges.edges()) {
