@@ -1,6 +1,5 @@
 #include "cli/command.h"
 #include "error.h"
-#include "io/pending_file.h"
 #include "io/stage_documents.h"
 #include "report/pov_scene.h"
 
@@ -66,12 +65,6 @@ int main(int argc, char** argv) {
       if (caption != "auto") panel.caption = caption;
       panels.push_back(std::move(panel));
     }
-    const std::string scene = report::pov_scene(panels, options);
-    const auto write = [&](std::ostream& out) { out << scene; };
-    if (output == "-") {
-      io::write_through(output, write);
-    } else {
-      io::write_file(output, command.force(), write);
-    }
+    command.write_text(output, report::pov_scene(panels, options));
   });
 }

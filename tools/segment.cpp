@@ -5,11 +5,11 @@
 
 #include "cli/command.h"
 #include "error.h"
-#include "io/pending_file.h"
+#include "io/segment_facts.h"
 #include "io/sketch.h"
 #include "io/stage_documents.h"
-#include "mesh/curve_roughness.h"
 #include "segmentation/compatibility.h"
+#include "segmentation/cut_sketch.h"
 #include "segmentation/segment_mesh.h"
 #include "segmentation/suggest_sketch.h"
 #include "segmentation/transfer_labels.h"
@@ -23,26 +23,39 @@ constexpr const char* kExample =
     "segment cat.ply --sketch cat.sketch.json -o cat.segment.ply\n"
     "  segment cat-02.ply --labels-from cat.segment.ply -o cat-02.segment.ply\n"
     "  segment dog.ply --auto 7 -o dog.sketch.json\n"
+    "  segment dog.ply --sketch dog.sketch.json --propose-cuts finer.sketch.json -o dog.segment.ply\n"
     "  segment --check cat.segment.ply lion.segment.ply";
 
-io::Json metrics_of(const SegmentedMesh& segmented) {
-  const SegmentedModel& model = segmented.model;
-  double snap = 0, concavity = 0;
-  for (const Anchor& anchor : model.anchors) snap = std::max(snap, anchor.snap_distance);
-  for (const Concavity& part : model.concavity) concavity = std::max(concavity, part.largest);
-  return {{"parts", model.segmentation.part_count()},
-          {"curves", model.segmentation.curves.size()},
-          {"proposed_anchors", std::count_if(model.anchors.begin(), model.anchors.end(),
-                                             [](const Anchor& a) { return a.proposed; })},
-          {"cross_points", model.segmentation.cross_points.size()},
-          {"merged_islands", segmented.merged_islands},
-          {"removed_pinches", segmented.removed_pinches},
-          {"changed_facets", segmented.changed_facets},
-          {"added_vertices", segmented.added_vertices},
-          {"added_facets", segmented.added_facets},
-          {"mean_roughness", mean_roughness(model.mesh, model.segmentation)},
-          {"largest_snap_distance", snap / model.mesh.diagonal()},
-          {"largest_concavity", concavity}};
+void write_sketch(const cli::Command& command, const std::string& path, const Sketch& sketch,
+                  const std::string& comment) {
+  command.write_text(path, io::to_json(sketch, comment).dump(1) + "\n");
+}
+
+io::Document document_of(const SegmentedMesh& segmented) {
+  io::Document document = io::to_document(segmented.model);
+  if (!segmented.cuts.empty()) document.metadata["proposed_cuts"] = io::cut_facts(segmented);
+  return document;
+}
+
+/// Writes the sketch with the strokes of the proposed cuts.
+void write_cuts(const cli::Command& command, const std::string& path, const Sketch& sketch,
+                const SegmentedMesh& segmented, const SegmentationOptions& options) {
+  const CutSketch cut = with_cuts(sketch, segmented, options);
+  write_sketch(command, path, cut.sketch,
+               "cuts suggested by segment --propose-cuts: to be looked at and corrected");
+  if (segmented.cuts.empty()) {
+    command.warn("no cut is proposed: " + path + " has no new part");
+    return;
+  }
+  std::ostringstream said;
+  said << std::setprecision(2) << "the " << cut.sketch.parts.size() << " parts in " << path
+       << " are a suggestion, not a decision: with them no part lies more than " << cut.largest_concavity
+       << " of the diagonal inside its hull; look at them, rename them as on the other model, correct the "
+          "strokes, then segment with --sketch";
+  command.warn(said.str());
+  for (const std::string& anchor : cut.lost_anchors) {
+    command.warn("anchor '" + anchor + "' is left out: the parts it lies between share no boundary any more");
+  }
 }
 
 /// Takes the parts over from another segment document, with the landmarks of the sketch, if there is one.
@@ -57,7 +70,7 @@ void take_over(cli::Command& command, const io::Document& document, const std::s
   const TransferredSegmentation result =
       command.about(about, [&] { return transfer_labels(io::read_mesh(document), from, sketch, options); });
   for (const std::string& warning : result.segmented.warnings) command.warn(warning);
-  io::Json metrics = metrics_of(result.segmented);
+  io::Json metrics = io::segment_metrics(result.segmented);
   metrics["labels"] = {{"copied", result.copied},
                        {"moved_area", result.moved_area},
                        {"mean_distance", result.mean_distance},
@@ -71,7 +84,7 @@ void take_over(cli::Command& command, const io::Document& document, const std::s
          << " % of the area has another part than the closest facet";
   }
   command.inform(said.str());
-  command.write(io::to_document(result.segmented.model), {&document}, metrics);
+  command.write(document_of(result.segmented), {&document}, metrics);
 }
 
 int cut(int argc, char** argv) {
@@ -80,7 +93,8 @@ int cut(int argc, char** argv) {
   command.output();
   TransferOptions transfer;
   SegmentationOptions& options = transfer.usual;
-  std::string labels_path, sketch_path, method = "walker", refines = "on";
+  options.propose_cuts = true;
+  std::string labels_path, sketch_path, cuts_path, method = "walker", refines = "on";
   bool asks_check = false;  // never set: check() answers
   int suggested_parts = 0;  // likewise: suggest()
   command.options()
@@ -110,11 +124,20 @@ int cut(int argc, char** argv) {
                       "connectivity is equal, else from the closest facets; --sketch may add markers and "
                       "anchors, or replace those of equal name")
           ->type_name("FILE");
+  CLI::Option* const cuts_to =
+      command.options()
+          .add_option(
+              "--propose-cuts", cuts_path,
+              "Also write the sketch with new parts added where parts exceed --tau, for you to judge and "
+              "correct: X.sketch.json")
+          ->type_name("FILE")
+          ->excludes(labels_from);
   command.options()
       .add_flag("--split-edges", options.split_edges,
                 "Let boundaries cross facets: smoother on coarse meshes, adds vertices and facets "
                 "(the mesh's own vertices keep their numbers) and says how many")
-      ->excludes(labels_from);
+      ->excludes(labels_from)
+      ->excludes(cuts_to);
   command.options()
       .add_flag("--align-boxes", transfer.align_boxes,
                 "With --labels-from: first bring the bounding box of its mesh onto this one's")
@@ -145,12 +168,13 @@ int cut(int argc, char** argv) {
     }
     const SegmentedMesh segmented = command.about(about, [&] { return segment_mesh(mesh, sketch, options); });
     for (const std::string& warning : segmented.warnings) command.warn(warning);
+    if (!cuts_path.empty()) write_cuts(command, cuts_path, sketch, segmented, options);
     if (options.split_edges) {
       command.warn("edges are split: " + std::to_string(segmented.added_vertices) + " vertices and " +
                    std::to_string(segmented.added_facets) + " facets are added to the mesh's own " +
                    std::to_string(mesh.vertex_count()) + " and " + std::to_string(mesh.facet_count()));
     }
-    command.write(io::to_document(segmented.model), {&document}, metrics_of(segmented));
+    command.write(document_of(segmented), {&document}, io::segment_metrics(segmented));
   });
 }
 
@@ -176,22 +200,6 @@ int check(int argc, char** argv) {
   });
 }
 
-/// A sketch whose strokes are vertices, as a person may go on editing it.
-io::Json to_json(const Sketch& sketch) {
-  io::Json parts = io::Json::array();
-  for (const SketchedPart& part : sketch.parts) {
-    io::Json strokes = io::Json::array();
-    for (const Stroke& stroke : part.strokes) {
-      strokes.push_back({{"vertices", std::get<VertexStroke>(stroke).vertices}});
-    }
-    parts.push_back({{"name", part.name}, {"strokes", strokes}});
-  }
-  return {{"schema", "partwise/sketch-1"},
-          {"comment", "a suggestion by segment --auto: to be looked at and corrected"},
-          {"mesh", {{"vertices", sketch.mesh->vertices}, {"faces", sketch.mesh->facets}}},
-          {"parts", parts}};
-}
-
 int suggest(int argc, char** argv) {
   cli::Command command("segment", kSynopsis, kExample);
   const std::string& input = command.input("mesh", "Mesh document");
@@ -209,13 +217,7 @@ int suggest(int argc, char** argv) {
       segment_mesh(mesh, suggestion, {});  // throws when the suggestion is of no use
       return suggestion;
     });
-    const std::string text = to_json(sketch).dump(1) + "\n";
-    const auto put = [&](std::ostream& stream) { stream << text; };
-    if (output == "-") {
-      io::write_through(output, put);
-    } else {
-      io::write_file(output, command.force(), put);
-    }
+    write_sketch(command, output, sketch, "a suggestion by segment --auto: to be looked at and corrected");
     command.warn(
         "these parts are a suggestion from far ends of the shape, not a decision: look at them, rename them "
         "as "

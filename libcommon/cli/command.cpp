@@ -14,6 +14,7 @@
 #include "cli/forwarding.h"
 #include "error.h"
 #include "io/document_kinds.h"
+#include "io/pending_file.h"
 #include "io/sha256.h"
 
 namespace partwise::cli {
@@ -177,6 +178,15 @@ io::ImportedMesh Command::import_mesh(const std::string& path) {
   std::ostream(&hash) << file.rdbuf();
   note_input(hash.hex(), path.substr(path.rfind('.') + 1));
   return mesh;
+}
+
+void Command::write_text(const std::string& path, const std::string& text) const {
+  const auto put = [&](std::ostream& stream) { stream << text; };
+  if (path == "-") {
+    io::write_through(path, put);
+  } else {
+    io::write_file(path, force_, put);
+  }
 }
 
 void Command::note_input(const std::string& sha256, const std::string& schema) {

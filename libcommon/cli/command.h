@@ -85,6 +85,10 @@ class Command {
   /// Imports a mesh of another program (io::import_mesh) and notes it as an input for the history.
   io::ImportedMesh import_mesh(const std::string& path);
 
+  /// Writes a text whole or not at all, to a file (an existing one only with --force) or, "-", to standard
+  /// output; for what a tool makes beside or instead of a document. \throws IoError
+  void write_text(const std::string& path, const std::string& text) const;
+
   /// Notes an input that is no document, for the history.
   void note_input(const std::string& sha256, const std::string& schema);
 

@@ -75,6 +75,16 @@ Eigen::Matrix<double, 9, 1> FacetDistortion::full_gradient() const {
   return gradient;
 }
 
+Eigen::Matrix<double, 9, 1> FacetDistortion::log_height_slope_gradient() const {
+  const double inverse = 1 / ratio_, squared = inverse * inverse;
+  Eigen::Matrix<double, 9, 1> gradient;
+  for (int i = 0; i < 3; ++i) {
+    gradient.segment<3>(3 * i) =
+        2 * squared * dirichlet_gradient(i) - 4 * dirichlet_ * squared * inverse * ratio_gradient(i);
+  }
+  return gradient;
+}
+
 Eigen::Matrix<double, 9, 9> FacetDistortion::full_hessian() const {
   const double inverse = 1 / ratio_, cubed = inverse * inverse * inverse;
   Eigen::Matrix<double, 9, 1> dirichlet, ratio;

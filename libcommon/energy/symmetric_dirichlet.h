@@ -30,6 +30,11 @@ class FacetDistortion {
   /// Infinite when the facet is not positively oriented.
   double energy() const;
 
+  /// Derivative with respect to the logarithm of `height`.
+  double log_height_slope() const { return 2 * dirichlet_ / (ratio_ * ratio_); }
+  /// Derivatives of that slope with respect to all corners.
+  Eigen::Matrix<double, 9, 1> log_height_slope_gradient() const;
+
   /// Derivatives with respect to corner 0 alone: what a vertex-wise method needs.
   Vec3 gradient() const;
   Eigen::Matrix3d hessian() const;

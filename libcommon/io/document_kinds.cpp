@@ -23,10 +23,10 @@ const DocumentKind* find_kind(const std::string& name) {
 }
 
 bool is_known_field(const std::string& name) {
-  constexpr std::array<std::string_view, 15> kFields{
-      "schema", "history",      "metrics",      "tables_sha256", "parts",
-      "curves", "cross_points", "adjacency",    "markers",       "anchors",
-      "source", "target",       "source_parts", "charts",        "added_vertices"};
+  constexpr std::array<std::string_view, 16> kFields{
+      "schema",       "history",   "metrics",        "tables_sha256", "parts",  "curves",
+      "cross_points", "adjacency", "markers",        "anchors",       "source", "target",
+      "source_parts", "charts",    "added_vertices", "proposed_cuts"};
   return std::find(kFields.begin(), kFields.end(), name) != kFields.end();
 }
 

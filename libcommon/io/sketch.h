@@ -18,6 +18,9 @@ Sketch parse_sketch(const Json& json);
 /// The same from JSON text. \throws InputError also naming the line of a JSON error.
 Sketch parse_sketch(const std::string& text);
 
+/// The sketch as JSON that parse_sketch() reads back; `comment` says what it is, unless empty.
+Json to_json(const Sketch& sketch, const std::string& comment);
+
 /// Reads a sketch from a file. \throws IoError; InputError as parse_sketch, with the path in front.
 Sketch read_sketch(const std::string& path);
 

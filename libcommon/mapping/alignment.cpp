@@ -1,6 +1,5 @@
 #include "mapping/alignment.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
@@ -107,10 +106,8 @@ Eigen::Matrix3d fit_rotation(const MatchedPoints& matched, const Vec3& source_ce
   return completed_rotation(moments.covariance, prior, prior_weight);
 }
 
-Eigen::Matrix3d match_extents(const Points& source, const Points& target, const Eigen::Matrix3d& rotation) {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& y : target) spread += y * y.transpose();
-  const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+Eigen::Matrix3d match_extents(const Points& source, const Points& target, const Eigen::Matrix3d& axes,
+                              const Eigen::Matrix3d& rotation) {
   auto extents = [&](const Points& points, const Eigen::Matrix3d& frame) {
     Eigen::AlignedBox3d box;
     for (const Vec3& point : points) box.extend(Vec3(frame.transpose() * point));

@@ -36,8 +36,9 @@ Eigen::Matrix3d fit_linear(const MatchedPoints& matched, const Vec3& source_cent
 Eigen::Matrix3d fit_rotation(const MatchedPoints& matched, const Vec3& source_centre,
                              const Vec3& target_centre, const Eigen::Matrix3d& prior, double prior_weight);
 
-/// `rotation` followed by a scaling along the target's principal axes that gives the rotated source the
+/// `rotation` followed by a scaling along `axes` (orthonormal columns) that gives the rotated source the
 /// extents of the target there. Both sets of points are given relative to their centres and span space.
-Eigen::Matrix3d match_extents(const Points& source, const Points& target, const Eigen::Matrix3d& rotation);
+Eigen::Matrix3d match_extents(const Points& source, const Points& target, const Eigen::Matrix3d& axes,
+                              const Eigen::Matrix3d& rotation);
 
 }  // namespace partwise

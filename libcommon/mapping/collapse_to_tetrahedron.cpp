@@ -1,6 +1,7 @@
 #include "mapping/collapse_to_tetrahedron.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -11,11 +12,16 @@ namespace {
 
 /// Collapses everything down to a tetrahedron, cheapest first; the record is in the order of the collapses.
 class Decimation {
-  using Entry = std::tuple<double, int, int>;  // cost, vertex, neighbour it merges into
+  // Cost, vertex, neighbour it merges into. In single precision the mirrored edges of a symmetric shape cost
+  // the same, and the vertices' order decides instead of rounding, which a turn of the model would change.
+  using Entry = std::tuple<float, int, int>;
 
  public:
   Decimation(const TriMesh& mesh, RingMesh& rings)
-      : mesh_(mesh), rings_(rings), queued_(mesh.vertex_count(), Entry{0, 0, -1}) {}
+      : mesh_(mesh),
+        rings_(rings),
+        scale_(1 / std::pow(mesh.diagonal(), 2)),
+        queued_(mesh.vertex_count(), Entry{0, 0, -1}) {}
 
   std::vector<Collapse> run() {
     std::vector<Collapse> record;
@@ -53,7 +59,8 @@ class Decimation {
       const auto degree = static_cast<double>(rings_.ring(u).size());
       const double merged = static_cast<double>(rings_.ring(v).size()) + degree - 4;
       const double penalty = 1 + std::max(0.0, merged - 10);
-      const double cost = (mesh_.point(u) - mesh_.point(v)).squaredNorm() * degree * penalty;
+      const auto cost =
+          static_cast<float>(scale_ * (mesh_.point(u) - mesh_.point(v)).squaredNorm() * degree * penalty);
       if (std::get<2>(best) < 0 || cost < std::get<0>(best)) best = {cost, u, v};
     }
     if (std::get<2>(best) < 0) return;
@@ -63,6 +70,7 @@ class Decimation {
 
   const TriMesh& mesh_;
   RingMesh& rings_;
+  const double scale_;  // keeps costs within the range of single precision
   std::set<Entry> queue_;
   std::vector<Entry> queued_;
 };

@@ -1,5 +1,6 @@
 #include "mapping/hull_alignment.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
@@ -61,10 +62,12 @@ Eigen::Matrix3d align_to_hull(const MatchedPoints& matched, const Points& source
                               const Points& target_hull, const StarHull& hull,
                               const Eigen::Matrix3d& upright) {
   const Vec3 centre = Vec3::Zero();
+  const Eigen::Matrix3d axes =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(hull.second_moments()).eigenvectors();
   HullAlignment alignment(matched, hull);
   for (const double prior_weight : {1e3, 1.0, 0.3, 0.1, 0.0}) {
     const Eigen::Matrix3d rotation = fit_rotation(matched, centre, centre, upright, prior_weight);
-    const Eigen::Matrix3d scaled = match_extents(source_hull, target_hull, rotation);
+    const Eigen::Matrix3d scaled = match_extents(source_hull, target_hull, axes, rotation);
     alignment.consider(scaled);
     const Eigen::Matrix3d linear = fit_linear(matched, centre, centre, scaled, kStiffness);
     if (is_usable(linear * scaled.inverse())) alignment.consider(linear);

@@ -12,6 +12,7 @@
 #include "mapping/lifted_embedding.h"
 #include "mapping/progressive_embedding.h"
 #include "mapping/relax_on_hull.h"
+#include "measure/hull_folds.h"
 
 namespace partwise {
 namespace {
@@ -47,15 +48,36 @@ std::vector<int> vertices_to_remove(const Part& part) {
   return order;
 }
 
-/// The embedding turned towards the part's own directions, on the hull, with little distortion.
+/// The part's own vertices seen from the hull's centre.
+Points projected(const Part& part, const StarHull& hull, const Vec3& centre) {
+  Points images;
+  int hint = 0;
+  for (const Vec3& point : part.mesh.points()) {
+    const Vec3 direction = point - centre;
+    const StarHull::Place place = hull.project(direction.isZero(0) ? Vec3::UnitX() : direction, hint);
+    images.push_back(place.position);
+    hint = place.facet;
+  }
+  return images;
+}
+
+/// The embedding turned towards the part's own directions, on the hull, with little distortion. A part that
+/// is hardly concave comes out best where it is.
 ProgressiveMap relaxed(const Part& part, const ConvexHull& hull, Points directions,
                        const HullRelaxationOptions& options) {
   const Vec3 centre = hull_centre(hull);
   const Eigen::Matrix3d rotation = closest_rotation(part.mesh, centre, directions);
   for (Vec3& direction : directions) direction = rotation * direction;
-  HullRelaxation result =
-      relax_on_hull(part.mesh, distortion_weights(part), StarHull(hull, centre), directions, {}, options);
+  const std::vector<double> weights = distortion_weights(part);
+  const StarHull star(hull, centre);
+  HullRelaxation result = relax_on_hull(part.mesh, weights, star, directions, {}, options);
   for (Vec3& image : result.images) image += centre;
+  Points own = projected(part, star, centre);
+  const double distortion = hull_distortion(part.mesh, weights, star, own);
+  for (Vec3& image : own) image += centre;
+  if (distortion <= result.distortion && hull_folds(own, part.mesh.facets(), centre).one_to_one()) {
+    return {std::move(own), distortion, 0};
+  }
   return {std::move(result.images), result.distortion, result.iterations};
 }
 

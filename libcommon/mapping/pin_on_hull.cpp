@@ -10,6 +10,9 @@ namespace partwise {
 namespace {
 
 constexpr double kFirstPull = 1e-2, kLastPull = 1e6;
+constexpr double kPulledRounding = 0.1;  // between coarse and fine: one relaxation per pull
+/// The last relaxation ends near its minimum, so that rounding on the way there does not show in the result.
+constexpr double kSettled = 1e-4;
 constexpr double kDrawingPull = 1e2;  // of what is drawn, once the pins are set: more would flatten facets
 
 int count_folds(const TriMesh& mesh, const Points& images) {
@@ -40,6 +43,7 @@ Points pulled(const SplitMesh& split, const std::vector<double>& weights, const 
   relaxation.pulls = pins;
   relaxation.pulls.insert(relaxation.pulls.end(), options.drawn.begin(), options.drawn.end());
   relaxation.most_iterations = options.iterations_per_pull;
+  relaxation.rounding = {kPulledRounding};
   for (relaxation.pull_weight = kFirstPull; relaxation.pull_weight <= kLastPull * 1.5;
        relaxation.pull_weight *= options.pull_growth) {
     const bool is_last = relaxation.pull_weight * options.pull_growth > kLastPull * 1.5;
@@ -64,6 +68,7 @@ void settle(const TriMesh& mesh, const std::vector<double>& weights, const StarH
   HullRelaxationOptions relaxation;
   relaxation.pulls = drawn;
   relaxation.pull_weight = kDrawingPull;
+  relaxation.least_decrease = kSettled;
   HullRelaxation relaxed = relax_on_hull(mesh, weights, hull, map.images, fixed, relaxation);
   map.images = std::move(relaxed.images);
   map.distortion = relaxed.distortion;

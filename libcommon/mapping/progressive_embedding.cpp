@@ -12,6 +12,7 @@
 #include "error.h"
 #include "geometry/normals.h"
 #include "mapping/collapse_to_tetrahedron.h"
+#include "mesh/canonical_order.h"
 
 namespace partwise {
 namespace {
@@ -31,9 +32,12 @@ double orientation(const Vec3& p, const Vec3& q, const Vec3& r) {
 /// Puts vertices on the sphere and moves them there, always with all facets positively oriented.
 class Embedding {
  public:
-  Embedding(const TriMesh& mesh, const std::vector<double>& vertex_weights, RingMesh& rings)
+  /// `names` are the vertices' numbers for people.
+  Embedding(const TriMesh& mesh, const std::vector<double>& vertex_weights, const std::vector<int>& names,
+            RingMesh& rings)
       : mesh_(mesh),
         weights_(vertex_weights),
+        names_(names),
         rings_(rings),
         directions_(mesh.vertex_count(), Vec3::Zero()) {}
 
@@ -52,6 +56,7 @@ class Embedding {
 
   const TriMesh& mesh_;
   const std::vector<double>& weights_;
+  const std::vector<int>& names_;
   RingMesh& rings_;
   Points directions_;
   double scale_ = 1;       // from lengths of the mesh to lengths on the sphere
@@ -133,7 +138,7 @@ void Embedding::insert(const Collapse& collapse) {
       break;
     }
     if (retry == kMostRetries) {
-      throw ComputationError("no place on the sphere for vertex " + std::to_string(collapse.vertex) +
+      throw ComputationError("no place on the sphere for vertex " + std::to_string(names_[collapse.vertex]) +
                              ": the facets around it are too small for double precision");
     }
     std::set<int> neighbourhood(ring.begin(), ring.end());
@@ -223,9 +228,13 @@ void require_sphere(const TriMesh& mesh) {
 
 Points embed_progressively(const TriMesh& mesh, const std::vector<double>& vertex_weights) {
   require_sphere(mesh);
-  RingMesh rings(mesh);
-  std::vector<Collapse> record = collapse_to_tetrahedron(mesh, rings);
-  Embedding embedding(mesh, vertex_weights, rings);
+  // Which vertex comes first decides much of the result: the shape says so, not the numbering.
+  const CanonicalOrder order = canonical_order(mesh);
+  std::vector<double> weights;
+  for (const int v : order.vertices) weights.push_back(vertex_weights[v]);
+  RingMesh rings(order.mesh);
+  std::vector<Collapse> record = collapse_to_tetrahedron(order.mesh, rings);
+  Embedding embedding(order.mesh, weights, order.vertices, rings);
   embedding.start_with_tetrahedron();
   double next_sweep = 4 * kGrowthPerSweep;
   for (; !record.empty(); record.pop_back()) {
@@ -236,7 +245,10 @@ Points embed_progressively(const TriMesh& mesh, const std::vector<double>& verte
     }
   }
   embedding.sweep(kSweeps);
-  return std::move(embedding).directions();
+  const Points placed = std::move(embedding).directions();
+  Points directions(placed.size());
+  for (std::size_t i = 0; i < placed.size(); ++i) directions[order.vertices[i]] = placed[i];
+  return directions;
 }
 
 }  // namespace partwise

@@ -10,14 +10,15 @@
 
 #include "energy/symmetric_dirichlet.h"
 #include "error.h"
+#include "geometry/normals.h"
 #include "mapping/hull_references.h"
+#include "mapping/smooth_hull.h"
 #include "solve/facet_hessians.h"
 #include "solve/sparse_cholesky.h"
 
 namespace partwise {
 namespace {
 
-using Places = std::vector<StarHull::Place>;
 using LocalHessian = FacetHessians::Block;
 using LocalGradient = Eigen::Matrix<double, 6, 1>;
 
@@ -37,66 +38,73 @@ void make_positive(LocalHessian& hessian) {
   hessian = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+double facet_weight(const Facet& facet, const std::vector<double>& vertex_weights) {
+  return std::min({vertex_weights[facet[0]], vertex_weights[facet[1]], vertex_weights[facet[2]]});
+}
+
 class Relaxation {
  public:
   Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
-             const Points& start, const std::vector<bool>& fixed, const HullRelaxationOptions& options);
+             const Points& start, const std::vector<bool>& fixed, double rounding,
+             const HullRelaxationOptions& options);
 
   HullRelaxation run();
 
  private:
+  using Places = std::vector<SmoothHull::Place>;
+
   double distortion_energy(const Places& places) const;
   double energy(const Places& places) const;
-  void add_pulls(Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian) const;
-  void measure_heights();
+  void measure_surface();
+  LocalHessian facet_hessian(std::size_t facet, Points& gradient) const;
+  void add_pulls(Points& gradient, Eigen::SparseMatrix<double>& hessian) const;
+  void add_bends(const Points& gradient, Eigen::SparseMatrix<double>& hessian) const;
   Eigen::VectorXd newton_step();
   Places moved(const Eigen::VectorXd& step, double length) const;
 
   FacetDistortion distortion(std::size_t facet, const Places& places) const {
-    const auto& [a, b, c] = facets_[facet];
-    return {references_[facet], heights_[facet], places[a].position, places[b].position, places[c].position};
+    const SmoothHull::Place &a = places[facets_[facet][0]], &b = places[facets_[facet][1]],
+                            &c = places[facets_[facet][2]];
+    return {references_[facet], (a.height + b.height + c.height) / 3, a.position, b.position, c.position};
   }
 
   const Facets& facets_;
   const StarHull& hull_;
+  const SmoothHull smooth_;
   const HullRelaxationOptions& options_;
   std::vector<ReferenceTriangle> references_;
   std::vector<double> facet_weights_;
-  double total_weight_ = 0;
-  std::vector<double> heights_;
   std::vector<int> unknowns_;  // per vertex, -1 when fixed
   int unknown_count_ = 0;
+  std::vector<Pin> pulls_;
   Places places_;
+  // Of the surface at each vertex's place.
+  std::vector<SmoothHull::Gauge> gauges_;
+  Points height_gradients_;
   std::vector<Eigen::Matrix<double, 3, 2>> tangents_;
   FacetHessians assembly_;
   SparseCholesky solver_;
 };
 
 Relaxation::Relaxation(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
-                       const Points& start, const std::vector<bool>& fixed,
+                       const Points& start, const std::vector<bool>& fixed, double rounding,
                        const HullRelaxationOptions& options)
     : facets_(mesh.facets()),
       hull_(hull),
+      smooth_(hull, rounding),
       options_(options),
       references_(hull_references(mesh, hull.area())),
-      heights_(mesh.facet_count()),
       unknowns_(numbered_unknowns(mesh.vertex_count(), fixed)),
       unknown_count_(1 + *std::max_element(unknowns_.begin(), unknowns_.end())),
-      places_(hull.project(start)),
+      pulls_(options.pulls),
+      gauges_(mesh.vertex_count()),
+      height_gradients_(mesh.vertex_count()),
       tangents_(mesh.vertex_count()),
       assembly_(facets_, unknowns_) {
+  for (const Vec3& direction : start) places_.push_back(smooth_.project(direction));
+  for (Pin& pull : pulls_) pull.goal = smooth_.project(pull.goal).position;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const auto& [a, b, c] = facets_[f];
-    facet_weights_.push_back(std::min({vertex_weights[a], vertex_weights[b], vertex_weights[c]}));
-    total_weight_ += facet_weights_.back() * references_[f].area;
-  }
-}
-
-void Relaxation::measure_heights() {
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    double sum = 0;
-    for (const int v : facets_[f]) sum += hull_.height(places_[v].facet);
-    heights_[f] = sum / 3;
+    facet_weights_.push_back(facet_weight(facets_[f], vertex_weights));
   }
 }
 
@@ -111,57 +119,94 @@ double Relaxation::distortion_energy(const Places& places) const {
 
 double Relaxation::energy(const Places& places) const {
   double sum = distortion_energy(places);
-  for (const Pin& pull : options_.pulls) {
+  for (const Pin& pull : pulls_) {
     sum += options_.pull_weight * (places[pull.vertex].position - pull.goal).squaredNorm();
   }
   return sum;
 }
 
-void Relaxation::add_pulls(Eigen::VectorXd& gradient, Eigen::SparseMatrix<double>& hessian) const {
-  for (const Pin& pull : options_.pulls) {
+void Relaxation::measure_surface() {
+  for (std::size_t v = 0; v < places_.size(); ++v) {
+    gauges_[v] = smooth_.gauge(places_[v].position);
+    const double steepness = gauges_[v].gradient.norm();
+    const Vec3 normal = gauges_[v].gradient / steepness;
+    height_gradients_[v] = normal - gauges_[v].hessian * normal / (steepness * steepness);
+    tangents_[v].col(0) = normal.unitOrthogonal();
+    tangents_[v].col(1) = normal.cross(tangents_[v].col(0));
+  }
+}
+
+/// A facet's part of the Hessian, without the heights' second derivatives; adds its part of the gradient.
+LocalHessian Relaxation::facet_hessian(std::size_t f, Points& gradient) const {
+  const FacetDistortion facet = distortion(f, places_);
+  const Eigen::Matrix<double, 9, 1> slope = facet.full_gradient();
+  double heights = 0;
+  for (const int v : facets_[f]) heights += places_[v].height;
+  Eigen::Matrix<double, 9, 6> tangent = Eigen::Matrix<double, 9, 6>::Zero();
+  Eigen::Matrix<double, 9, 1> log_height;
+  for (int i = 0; i < 3; ++i) {
+    const int v = facets_[f][i];
+    tangent.block<3, 2>(3 * i, 2 * i) = tangents_[v];
+    log_height.segment<3>(3 * i) = height_gradients_[v] / heights;
+    gradient[v] += facet_weights_[f] *
+                   (slope.segment<3>(3 * i) + facet.log_height_slope() * log_height.segment<3>(3 * i));
+  }
+  const Eigen::Matrix<double, 9, 9> mixed = facet.log_height_slope_gradient() * log_height.transpose();
+  const Eigen::Matrix<double, 9, 9> full = facet.full_hessian() + mixed + mixed.transpose() +
+                                           2 * facet.log_height_slope() * log_height * log_height.transpose();
+  LocalHessian block = facet_weights_[f] * (tangent.transpose() * full * tangent);
+  make_positive(block);
+  return block;
+}
+
+void Relaxation::add_pulls(Points& gradient, Eigen::SparseMatrix<double>& hessian) const {
+  for (const Pin& pull : pulls_) {
+    gradient[pull.vertex] += 2 * options_.pull_weight * (places_[pull.vertex].position - pull.goal);
     const int u = unknowns_[pull.vertex];
     if (u < 0) continue;
-    gradient.segment<2>(2 * u) += 2 * options_.pull_weight * tangents_[pull.vertex].transpose() *
-                                  (places_[pull.vertex].position - pull.goal);
     for (int i = 0; i < 2; ++i) hessian.coeffRef(2 * u + i, 2 * u + i) += 2 * options_.pull_weight;
   }
 }
 
-Eigen::VectorXd Relaxation::newton_step() {
+/// Moving a vertex by t along its tangent plane and back to the surface, p + t -> (p + t) / g(p + t), adds
+/// the surface's own bend: the gradient's part along p times the Hessian of the gauge g.
+void Relaxation::add_bends(const Points& gradient, Eigen::SparseMatrix<double>& hessian) const {
   for (std::size_t v = 0; v < places_.size(); ++v) {
-    const Vec3& normal = hull_.normal(places_[v].facet);
-    tangents_[v].col(0) = normal.unitOrthogonal();
-    tangents_[v].col(1) = normal.cross(tangents_[v].col(0));
+    const int u = unknowns_[v];
+    const double inward = -gradient[v].dot(places_[v].position);
+    if (u < 0 || inward <= 0) continue;
+    const Eigen::Matrix2d bend = inward * tangents_[v].transpose() * gauges_[v].hessian * tangents_[v];
+    hessian.coeffRef(2 * u, 2 * u) += bend(0, 0);
+    hessian.coeffRef(2 * u + 1, 2 * u) += bend(1, 0);
+    hessian.coeffRef(2 * u + 1, 2 * u + 1) += bend(1, 1);
   }
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * unknown_count_);
+}
+
+/// Newton's step in the tangent planes, two entries per unknown.
+Eigen::VectorXd Relaxation::newton_step() {
+  measure_surface();
+  Points gradient(places_.size(), Vec3::Zero());
   std::vector<LocalHessian> blocks(facets_.size());
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const FacetDistortion facet = distortion(f, places_);
-    Eigen::Matrix<double, 9, 6> tangent = Eigen::Matrix<double, 9, 6>::Zero();
-    for (int i = 0; i < 3; ++i) tangent.block<3, 2>(3 * i, 2 * i) = tangents_[facets_[f][i]];
-    const LocalGradient slope = facet_weights_[f] * (tangent.transpose() * facet.full_gradient());
-    for (int i = 0; i < 3; ++i) {
-      const int u = unknowns_[facets_[f][i]];
-      if (u >= 0) gradient.segment<2>(2 * u) += slope.segment<2>(2 * i);
-    }
-    blocks[f] = facet_weights_[f] * (tangent.transpose() * facet.full_hessian() * tangent);
-    make_positive(blocks[f]);
-  }
+  for (std::size_t f = 0; f < facets_.size(); ++f) blocks[f] = facet_hessian(f, gradient);
   Eigen::SparseMatrix<double>& hessian = assembly_.assemble(blocks);
   add_pulls(gradient, hessian);
+  add_bends(gradient, hessian);
+  Eigen::VectorXd downhill(2 * unknown_count_);
+  for (std::size_t v = 0; v < places_.size(); ++v) {
+    if (unknowns_[v] >= 0) downhill.segment<2>(2 * unknowns_[v]) = -tangents_[v].transpose() * gradient[v];
+  }
   if (!solver_.factorize(hessian)) {
     throw ComputationError("the distortion's Hessian is not positive definite in double precision");
   }
-  return solver_.solve(-gradient);
+  return solver_.solve(downhill);
 }
 
-Places Relaxation::moved(const Eigen::VectorXd& step, double length) const {
+Relaxation::Places Relaxation::moved(const Eigen::VectorXd& step, double length) const {
   Places places = places_;
   for (std::size_t v = 0; v < places.size(); ++v) {
     const int u = unknowns_[v];
     if (u < 0) continue;
-    places[v] = hull_.project(places_[v].position + length * (tangents_[v] * step.segment<2>(2 * u)),
-                              places_[v].facet);
+    places[v] = smooth_.project(places_[v].position + length * (tangents_[v] * step.segment<2>(2 * u)));
   }
   return places;
 }
@@ -169,10 +214,9 @@ Places Relaxation::moved(const Eigen::VectorXd& step, double length) const {
 HullRelaxation Relaxation::run() {
   HullRelaxation result;
   int small_decreases = 0;
-  measure_heights();
+  double before = energy(places_);
+  if (!std::isfinite(before)) throw ComputationError("a facet of the start is not positively oriented");
   while (unknown_count_ > 0 && result.iterations < options_.most_iterations && small_decreases < 2) {
-    const double before = energy(places_);
-    if (!std::isfinite(before)) throw ComputationError("a facet of the start is not positively oriented");
     const Eigen::VectorXd step = newton_step();
     double after = before;
     for (double length = 1; length > 1e-6; length *= 0.6) {
@@ -186,19 +230,42 @@ HullRelaxation Relaxation::run() {
     ++result.iterations;
     if (!(after < before)) break;
     small_decreases = before - after < options_.least_decrease * before ? small_decreases + 1 : 0;
-    measure_heights();
+    before = after;
   }
-  result.distortion = distortion_energy(places_) / (4 * total_weight_);
-  for (const StarHull::Place& place : places_) result.images.push_back(place.position);
+  Points directions;
+  for (const SmoothHull::Place& place : places_) directions.push_back(place.position);
+  for (const StarHull::Place& place : hull_.project(directions)) result.images.push_back(place.position);
   return result;
 }
 
 }  // namespace
 
+double hull_distortion(const TriMesh& mesh, const std::vector<double>& vertex_weights, const StarHull& hull,
+                       const Points& images) {
+  const std::vector<ReferenceTriangle> references = hull_references(mesh, hull.area());
+  double sum = 0, total = 0;
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    const auto& [a, b, c] = mesh.facet(f);
+    const double weight = facet_weight(mesh.facet(f), vertex_weights);
+    const double height = area_vector(images[a], images[b], images[c]).normalized().dot(images[a]);
+    sum += weight * FacetDistortion(references[f], height, images[a], images[b], images[c]).energy();
+    total += weight * references[f].area;
+  }
+  return std::isfinite(sum) ? sum / (4 * total) : std::numeric_limits<double>::infinity();
+}
+
 HullRelaxation relax_on_hull(const TriMesh& mesh, const std::vector<double>& vertex_weights,
                              const StarHull& hull, const Points& start, const std::vector<bool>& fixed,
                              const HullRelaxationOptions& options) {
-  return Relaxation(mesh, vertex_weights, hull, start, fixed, options).run();
+  HullRelaxation result;
+  result.images = start;
+  for (const double rounding : options.rounding) {
+    const int before = result.iterations;
+    result = Relaxation(mesh, vertex_weights, hull, result.images, fixed, rounding, options).run();
+    result.iterations += before;
+  }
+  result.distortion = hull_distortion(mesh, vertex_weights, hull, result.images);
+  return result;
 }
 
 }  // namespace partwise

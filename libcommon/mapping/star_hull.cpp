@@ -104,6 +104,18 @@ StarHull::Place StarHull::project(const Vec3& direction, int hint) const {
   return {facet, direction * (heights_[facet] / normals_[facet].dot(direction))};
 }
 
+Eigen::Matrix3d StarHull::second_moments() const {
+  const std::vector<double> areas = facet_areas(points_, facets_);
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    const Vec3 &a = points_[facets_[f][0]], &b = points_[facets_[f][1]], &c = points_[facets_[f][2]];
+    const Vec3 total = a + b + c;
+    sum += areas[f] / 12 *
+           (a * a.transpose() + b * b.transpose() + c * c.transpose() + total * total.transpose());
+  }
+  return sum / area_;
+}
+
 std::vector<StarHull::Place> StarHull::project(const Points& directions) const {
   std::vector<Place> places;
   places.reserve(directions.size());

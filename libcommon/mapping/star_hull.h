@@ -28,6 +28,9 @@ class StarHull {
   const Vec3& normal(int facet) const { return normals_[facet]; }  ///< unit, outward
   double height(int facet) const { return heights_[facet]; }  ///< distance of the facet's plane to the origin
   double area() const { return area_; }
+  /// Mean of p p^T over the hull's surface: unlike that over its vertices, it hardly changes with which
+  /// points of a flat side count as extreme.
+  Eigen::Matrix3d second_moments() const;
 
  private:
   Points points_;

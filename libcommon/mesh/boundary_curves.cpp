@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "error.h"
+#include "mesh/facet_regions.h"
 #include "mesh/segmentation.h"
 
 namespace partwise {
@@ -79,28 +80,14 @@ class Tracer {
 };
 
 void Tracer::require_connected_parts() const {
-  std::vector<int> component(mesh_.facet_count(), -1);
+  const std::vector<int> region = facet_regions(mesh_, segmentation_.labels);
   std::vector<int> first_facet(segmentation_.part_count(), -1);
-  for (int seed = 0; seed < mesh_.facet_count(); ++seed) {
-    if (component[seed] >= 0) continue;
-    const int part = segmentation_.labels[seed];
-    if (first_facet[part] >= 0) {
+  for (int f = 0; f < mesh_.facet_count(); ++f) {
+    const int part = segmentation_.labels[f];
+    if (first_facet[part] < 0) first_facet[part] = f;
+    if (region[f] != first_facet[part]) {
       throw InputError("part '" + segmentation_.names[part] + "' is not connected: facet " +
-                       std::to_string(seed) + " does not reach facet " + std::to_string(first_facet[part]));
-    }
-    first_facet[part] = seed;
-    std::vector<int> stack{seed};
-    component[seed] = seed;
-    while (!stack.empty()) {
-      const FaceHandle f(stack.back());
-      stack.pop_back();
-      HalfedgeHandle h = half_edges_.halfedge_handle(f);
-      for (int side = 0; side < 3; ++side, h = half_edges_.next_halfedge_handle(h)) {
-        const int neighbour = half_edges_.opposite_face_handle(h).idx();
-        if (neighbour < 0 || component[neighbour] >= 0 || segmentation_.labels[neighbour] != part) continue;
-        component[neighbour] = seed;
-        stack.push_back(neighbour);
-      }
+                       std::to_string(f) + " does not reach facet " + std::to_string(first_facet[part]));
     }
   }
   for (int part = 0; part < segmentation_.part_count(); ++part) {
@@ -179,20 +166,26 @@ int part_index(const Segmentation& segmentation, const std::string& name) {
 }
 
 Segmentation trace_boundaries(const TriMesh& mesh, std::vector<std::string> names, std::vector<int> labels) {
-  Segmentation segmentation{std::move(names), std::move(labels), {}, {}};
-  if (static_cast<int>(segmentation.labels.size()) != mesh.facet_count()) {
+  const auto part_count = static_cast<int>(names.size());
+  if (static_cast<int>(labels.size()) != mesh.facet_count()) {
     throw InputError("expected one label for each of " + std::to_string(mesh.facet_count()) +
-                     " facets, got " + std::to_string(segmentation.labels.size()));
+                     " facets, got " + std::to_string(labels.size()));
   }
-  for (std::size_t f = 0; f < segmentation.labels.size(); ++f) {
-    if (segmentation.labels[f] < 0 || segmentation.labels[f] >= segmentation.part_count()) {
-      throw InputError("facet " + std::to_string(f) + " has the label " +
-                       std::to_string(segmentation.labels[f]) + ", but there are " +
-                       std::to_string(segmentation.part_count()) + " parts");
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    if (labels[f] < 0 || labels[f] >= part_count) {
+      throw InputError("facet " + std::to_string(f) + " has the label " + std::to_string(labels[f]) +
+                       ", but there are " + std::to_string(part_count) + " parts");
     }
   }
+  const Segmentation segmentation{std::move(names), std::move(labels), {}, {}};
+  Tracer(mesh, segmentation).require_connected_parts();
+  return trace_connected_parts(mesh, segmentation.names, segmentation.labels);
+}
+
+Segmentation trace_connected_parts(const TriMesh& mesh, std::vector<std::string> names,
+                                   std::vector<int> labels) {
+  Segmentation segmentation{std::move(names), std::move(labels), {}, {}};
   const Tracer tracer(mesh, segmentation);
-  tracer.require_connected_parts();
   const std::vector<HalfedgeHandle> boundary = tracer.boundary();
   std::vector<bool> is_cross_point(mesh.vertex_count(), false), is_on_boundary(mesh.vertex_count(), false);
   for (const HalfedgeHandle h : boundary) {

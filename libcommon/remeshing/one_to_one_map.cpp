@@ -93,13 +93,13 @@ Moves unfold_chart(const RefinedSource& source, const std::vector<bool>& inside,
   for (const int v : piece.cap_vertices) fixed[v] = true;
 
   Moves moves;
-  const UntangledDirections unfolded = untangle_on_sphere(piece.mesh, side.directions, fixed);
+  const UntangledMap unfolded = untangle_on_sphere(piece.mesh, side.directions, fixed);
   moves.folds_before = unfolded.folds_before;
   const DomainLocator locator(target.piece(), target.directions(), Vec3::Zero());
   for (std::size_t v = 0; v < fixed.size(); ++v) {
-    const bool moved = unfolded.directions[v] != side.directions[v].stableNormalized();
+    const bool moved = unfolded.images[v] != side.directions[v].stableNormalized();
     if (fixed[v] || !(moved || is_new[v])) continue;
-    const SurfacePoint local = locator.locate(unfolded.directions[v]).front();
+    const SurfacePoint local = locator.locate(unfolded.images[v]).front();
     moves.images.emplace_back(piece.model_vertex[v], locator.on_model(local));
   }
   return moves;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/normals.h"
+#include "segmentation/mirrored_anchors.h"
 
 namespace partwise {
 namespace {
@@ -115,6 +116,9 @@ std::vector<Anchor> propose_anchors(const TriMesh& mesh, const Segmentation& seg
   std::vector<Anchor> proposals;
   for (const BoundaryCurve& curve : segmentation.curves) {
     if (!needs_anchors(segmentation, curve, anchors)) continue;
+    const std::vector<Anchor> mirrored = mirrored_anchors(mesh, segmentation, curve, anchors, centroids);
+    proposals.insert(proposals.end(), mirrored.begin(), mirrored.end());
+    if (!mirrored.empty()) continue;
     const Loop loop(mesh, curve);
     std::optional<Heading> heading = heading_to_marker(mesh, loop, markers);
     if (!heading) heading = heading_to_part(loop, curve, segmentation, centroids);

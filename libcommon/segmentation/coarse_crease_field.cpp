@@ -1,5 +1,7 @@
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/normals.h"
@@ -35,72 +37,91 @@ struct Groups {
   Points centroid;
 };
 
+/// Per edge its dihedral angle over twice its length: the share in its bending of the facet on either side.
+std::vector<double> half_bending(const TriMesh& mesh, const Points& normals) {
+  std::vector<double> result(mesh.half_edges().n_edges());
+  tbb::parallel_for(0, static_cast<int>(result.size()), [&](int e) {
+    const double length = edge_length(mesh, e);
+    result[e] = length > 0 ? dihedral_angle(mesh, normals, e) / length / 2 : 0;
+  });
+  return result;
+}
+
+/// Sums over groups go facet by facet, then edge by edge: rounding must not depend on the number of threads.
 Groups bending_of_groups(const TriMesh& mesh, const std::vector<int>& group_of, int count) {
   Groups groups{Tensors(count, Tensor::Zero()), std::vector<double>(count, 0.0), Points(count, Vec3::Zero())};
-  Points normals;
-  normals.reserve(mesh.facet_count());
-  for (int f = 0; f < mesh.facet_count(); ++f) {
+  Points normals(mesh.facet_count());
+  std::vector<double> areas(mesh.facet_count());
+  tbb::parallel_for(0, mesh.facet_count(), [&](int f) {
     const auto& [a, b, c] = mesh.facet(f);
     const Vec3 vector = area_vector(mesh.point(a), mesh.point(b), mesh.point(c));
-    const double area = vector.norm() / 2;
-    normals.push_back(vector.stableNormalized());
-    groups.area[group_of[f]] += area;
-    groups.centroid[group_of[f]] += area / 3 * (mesh.point(a) + mesh.point(b) + mesh.point(c));
-  }
-  const HalfEdges& half_edges = mesh.half_edges();
-  for (int e = 0; e < static_cast<int>(half_edges.n_edges()); ++e) {
-    const auto h = half_edges.halfedge_handle(OpenMesh::EdgeHandle(e), 0);
-    const OpenMesh::FaceHandle left = half_edges.face_handle(h), right = half_edges.opposite_face_handle(h);
-    if (!left.is_valid() || !right.is_valid()) continue;
-    const auto [from, to] = edge_ends(mesh, e);
-    const Vec3 edge = mesh.point(to) - mesh.point(from);
-    const double length = edge.norm();
-    if (length == 0) continue;
-    const Tensor bend = dihedral_angle(mesh, normals, e) / length / 2 * square(edge);
-    groups.bending[group_of[left.idx()]] += bend;
-    groups.bending[group_of[right.idx()]] += bend;
-  }
-  for (int g = 0; g < count; ++g) {
-    if (groups.area[g] > 0) groups.centroid[g] /= groups.area[g];
-  }
+    areas[f] = vector.norm() / 2;
+    normals[f] = vector.stableNormalized();
+  });
+  const auto add_facets = [&] {
+    for (int f = 0; f < mesh.facet_count(); ++f) {
+      const auto& [a, b, c] = mesh.facet(f);
+      groups.area[group_of[f]] += areas[f];
+      groups.centroid[group_of[f]] += areas[f] / 3 * (mesh.point(a) + mesh.point(b) + mesh.point(c));
+    }
+    for (int g = 0; g < count; ++g) {
+      if (groups.area[g] > 0) groups.centroid[g] /= groups.area[g];
+    }
+  };
+  const auto add_edges = [&] {
+    const std::vector<double> bending = half_bending(mesh, normals);
+    const HalfEdges& half_edges = mesh.half_edges();
+    for (int e = 0; e < static_cast<int>(half_edges.n_edges()); ++e) {
+      const auto h = half_edges.halfedge_handle(OpenMesh::EdgeHandle(e), 0);
+      const OpenMesh::FaceHandle left = half_edges.face_handle(h), right = half_edges.opposite_face_handle(h);
+      if (!left.is_valid() || !right.is_valid()) continue;
+      const auto [from, to] = edge_ends(mesh, e);
+      const Tensor bend = bending[e] * square(mesh.point(to) - mesh.point(from));
+      groups.bending[group_of[left.idx()]] += bend;
+      groups.bending[group_of[right.idx()]] += bend;
+    }
+  };
+  tbb::parallel_invoke(add_facets, add_edges);
   return groups;
 }
 
 /// Curvature of every group: sums over the groups connected to it within a ball around its centroid.
 Tensors curvature_of_groups(const Groups& groups, const FacetHierarchy::Level& level, double radius) {
   Tensors result(groups.area.size(), Tensor::Zero());
-  std::vector<int> visited(groups.area.size(), -1), near;
-  for (int g = 0; g < level.node_count(); ++g) {
-    Tensor sum = Tensor::Zero();
-    double area = 0;
-    near.assign(1, g);
-    visited[g] = g;
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      sum += groups.bending[near[i]];
-      area += groups.area[near[i]];
-      for (int k = level.first[near[i]]; k < level.first[near[i] + 1]; ++k) {
-        const int other = level.neighbour[k];
-        if (visited[other] == g) continue;
-        visited[other] = g;
-        if ((groups.centroid[other] - groups.centroid[g]).squaredNorm() <= radius * radius) {
-          near.push_back(other);
+  tbb::parallel_for(tbb::blocked_range<int>(0, level.node_count(), 2048), [&](const auto& range) {
+    std::vector<int> visited(groups.area.size(), -1), near;
+    for (int g = range.begin(); g < range.end(); ++g) {
+      Tensor sum = Tensor::Zero();
+      double area = 0;
+      near.assign(1, g);
+      visited[g] = g;
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        sum += groups.bending[near[i]];
+        area += groups.area[near[i]];
+        for (int k = level.first[near[i]]; k < level.first[near[i] + 1]; ++k) {
+          const int other = level.neighbour[k];
+          if (visited[other] == g) continue;
+          visited[other] = g;
+          if ((groups.centroid[other] - groups.centroid[g]).squaredNorm() <= radius * radius) {
+            near.push_back(other);
+          }
         }
       }
+      // Sums over 1-rings, as in the exact field, count every edge twice and every facet thrice.
+      if (area > 0) result[g] = 2 * sum / (3 * area);
     }
-    // Sums over 1-rings, as in the exact field, count every edge twice and every facet thrice.
-    if (area > 0) result[g] = 2 * sum / (3 * area);
-  }
+  });
   return result;
 }
 
 /// From a level to the one below: the parent's tensor, averaged with those of the neighbours' parents.
 Tensors handed_down(const Tensors& above, const FacetHierarchy::Level& level) {
   Tensors result(level.node_count());
-  for (int i = 0; i < level.node_count(); ++i) {
+  tbb::parallel_for(0, level.node_count(), [&](int i) {
     Tensor sum = above[level.parent[i]];
     for (int k = level.first[i]; k < level.first[i + 1]; ++k) sum += above[level.parent[level.neighbour[k]]];
     result[i] = sum / (1 + level.first[i + 1] - level.first[i]);
-  }
+  });
   return result;
 }
 
@@ -119,15 +140,15 @@ std::vector<double> edge_concavity(const TriMesh& mesh, const FacetHierarchy& hi
   const double diagonal = mesh.diagonal();
   const HalfEdges& half_edges = mesh.half_edges();
   std::vector<double> concavity(half_edges.n_edges(), 0.0);
-  for (std::size_t e = 0; e < concavity.size(); ++e) {
-    const auto h = half_edges.halfedge_handle(OpenMesh::EdgeHandle(static_cast<int>(e)), 0);
+  tbb::parallel_for(0, static_cast<int>(concavity.size()), [&](int e) {
+    const auto h = half_edges.halfedge_handle(OpenMesh::EdgeHandle(e), 0);
     const OpenMesh::FaceHandle left = half_edges.face_handle(h), right = half_edges.opposite_face_handle(h);
-    if (!left.is_valid() || !right.is_valid()) continue;
-    const auto [from, to] = edge_ends(mesh, static_cast<int>(e));
+    if (!left.is_valid() || !right.is_valid()) return;
+    const auto [from, to] = edge_ends(mesh, e);
     const Vec3 u = (mesh.point(to) - mesh.point(from)).stableNormalized();
     const Tensor both = tensors[left.idx()] + tensors[right.idx()];
     concavity[e] = std::max(0.0, -diagonal * along(both, u) / 2);
-  }
+  });
   return concavity;
 }
 

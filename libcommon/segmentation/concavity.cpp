@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 #include "error.h"
@@ -62,21 +61,6 @@ std::vector<Concavity> measure_concavity(const TriMesh& mesh, const std::vector<
   tbb::parallel_for(std::size_t{0}, vertices.size(),
                     [&](std::size_t part) { result[part] = concavity_of(mesh, vertices[part]); });
   return result;
-}
-
-std::vector<std::string> decomposition_hints(const Segmentation& segmentation,
-                                             const std::vector<Concavity>& concavity, double tau) {
-  std::vector<std::string> hints;
-  for (std::size_t part = 0; part < concavity.size(); ++part) {
-    if (concavity[part].largest <= tau) continue;
-    std::ostringstream text;
-    text.precision(2);
-    text << "part '" << segmentation.names[part] << "': decompose further near vertex "
-         << concavity[part].vertex << ", which lies " << concavity[part].largest
-         << " of the model's diagonal inside the part's convex hull (tau is " << tau << ")";
-    hints.push_back(text.str());
-  }
-  return hints;
 }
 
 }  // namespace partwise

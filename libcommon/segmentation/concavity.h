@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "mesh/segmentation.h"
@@ -12,9 +11,5 @@ namespace partwise {
 /// \param labels per facet, the part it belongs to; \pre 0 <= label < part_count for as many as there are
 /// facets
 std::vector<Concavity> measure_concavity(const TriMesh& mesh, const std::vector<int>& labels, int part_count);
-
-/// One sentence per part whose concavity exceeds `tau`: where to decompose it further.
-std::vector<std::string> decomposition_hints(const Segmentation& segmentation,
-                                             const std::vector<Concavity>& concavity, double tau);
 
 }  // namespace partwise

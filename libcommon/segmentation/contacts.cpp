@@ -74,18 +74,23 @@ std::string sentence(const Segmentation& segmentation, const Contact& contact) {
          "; draw a stroke of " + c + " there, or strokes of both up to where they should meet";
 }
 
-/// The repaired labels after separating one contact; none when that would not help.
-std::optional<RepairedLabels> separated(const TriMesh& mesh, const Seeds& seeds,
-                                        const Segmentation& segmentation, const Contact& contact,
-                                        const std::vector<double>& boundary_costs) {
+/// Labels that are repaired, and their boundaries.
+struct Separation {
+  RepairedLabels repaired;
+  Segmentation segmentation;
+};
+
+/// After separating one contact; none when that would not help.
+std::optional<Separation> separated(const TriMesh& mesh, const Seeds& seeds, const Segmentation& segmentation,
+                                    const Contact& contact, const std::vector<double>& boundary_costs) {
   std::optional<std::vector<int>> labels = given_away(mesh, seeds, segmentation, contact);
   if (!labels) return std::nullopt;
   try {
     RepairedLabels repaired =
         repair_labels(mesh, segmentation.names, seeds, std::move(*labels), boundary_costs);
-    const Segmentation after = trace_boundaries(mesh, segmentation.names, repaired.labels);
+    Segmentation after = trace_connected_parts(mesh, segmentation.names, repaired.labels);
     if (after.cross_points.size() >= segmentation.cross_points.size()) return std::nullopt;
-    return repaired;
+    return Separation{std::move(repaired), std::move(after)};
   } catch (const Error&) {
     return std::nullopt;  // a part used up, or a pinch that stays: the contact stays, too
   }
@@ -97,18 +102,19 @@ SeparatedLabels separate_contacts(const TriMesh& mesh, const std::vector<std::st
                                   const Seeds& seeds, RepairedLabels repaired,
                                   const std::vector<double>& boundary_costs, double limit) {
   SeparatedLabels result{std::move(repaired), {}};
+  Segmentation segmentation = trace_connected_parts(mesh, names, result.repaired.labels);
   bool changed = true;
   while (changed) {
     changed = false;
-    const Segmentation segmentation = trace_boundaries(mesh, names, result.repaired.labels);
     for (const Contact& contact : find_contacts(segmentation, limit)) {
       auto next = separated(mesh, seeds, segmentation, contact, boundary_costs);
       if (!next) continue;
-      result.repaired.labels = std::move(next->labels);
-      result.repaired.merged_islands += next->merged_islands;
-      result.repaired.removed_pinches += next->removed_pinches;
-      result.repaired.changed_facets += next->changed_facets;
+      result.repaired.labels = std::move(next->repaired.labels);
+      result.repaired.merged_islands += next->repaired.merged_islands;
+      result.repaired.removed_pinches += next->repaired.removed_pinches;
+      result.repaired.changed_facets += next->repaired.changed_facets;
       result.sentences.push_back(sentence(segmentation, contact));
+      segmentation = std::move(next->segmentation);
       changed = true;  // every step leaves fewer cross points, so this ends
       break;
     }

@@ -120,21 +120,21 @@ std::vector<double> edge_concavity(const TriMesh& mesh) {
   const auto tensors = curvature_tensors(mesh);
   const double diagonal = mesh.diagonal();
   std::vector<double> concavity(mesh.half_edges().n_edges(), 0.0);
-  for (std::size_t e = 0; e < concavity.size(); ++e) {
-    const auto [from, to] = edge_ends(mesh, static_cast<int>(e));
+  tbb::parallel_for(0, static_cast<int>(concavity.size()), [&](int e) {
+    const auto [from, to] = edge_ends(mesh, e);
     const Vec3 u = (mesh.point(to) - mesh.point(from)).stableNormalized();
     concavity[e] = std::max(0.0, -diagonal * u.dot((tensors[from] + tensors[to]) * u) / 2);
-  }
+  });
   return concavity;
 }
 
 std::vector<double> boundary_costs(const TriMesh& mesh, const std::vector<double>& concavity) {
   const double h = mean_edge_length(mesh);
   std::vector<double> costs(concavity.size());
-  for (std::size_t e = 0; e < costs.size(); ++e) {
+  tbb::parallel_for(0, static_cast<int>(costs.size()), [&](int e) {
     const double crease = concavity[e] / kCrease;
-    costs[e] = edge_length(mesh, static_cast<int>(e)) / h * (0.1 + 0.9 / (1 + crease * crease));
-  }
+    costs[e] = edge_length(mesh, e) / h * (0.1 + 0.9 / (1 + crease * crease));
+  });
   return costs;
 }
 

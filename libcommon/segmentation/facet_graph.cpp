@@ -1,7 +1,11 @@
 #include "segmentation/facet_graph.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/normals.h"
 #include "segmentation/crease_field.h"
@@ -21,10 +25,10 @@ Vec3 centroid(const TriMesh& mesh, int f) {
 std::vector<double> conductances(const TriMesh& mesh, const std::vector<double>& concavity) {
   const HalfEdges& half_edges = mesh.half_edges();
   std::vector<double> result(half_edges.n_edges(), 0.0);
-  for (std::size_t e = 0; e < result.size(); ++e) {
-    const HalfedgeHandle h = half_edges.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
+  tbb::parallel_for(0, static_cast<int>(result.size()), [&](int e) {
+    const HalfedgeHandle h = half_edges.halfedge_handle(EdgeHandle(e), 0);
     const OpenMesh::FaceHandle a = half_edges.face_handle(h), b = half_edges.opposite_face_handle(h);
-    if (!a.is_valid() || !b.is_valid()) continue;
+    if (!a.is_valid() || !b.is_valid()) return;
     const Vec3& from = mesh.point(half_edges.from_vertex_handle(h).idx());
     const Vec3& to = mesh.point(half_edges.to_vertex_handle(h).idx());
     const Vec3 middle = (from + to) / 2;
@@ -32,7 +36,7 @@ std::vector<double> conductances(const TriMesh& mesh, const std::vector<double>&
     // Slivers and facets without area would give weights that no double-precision system carries.
     const double ratio = std::clamp((to - from).norm() / std::max(way, 1e-300), 1e-4, 1e4);
     result[e] = ratio * std::exp(-3 * std::min(concavity[e] / 20, 4.0));
-  }
+  });
   return result;
 }
 
@@ -59,19 +63,21 @@ FacetLinks facet_links(const TriMesh& mesh) {
 
 FacetGraph facet_graph(const TriMesh& mesh, const std::vector<double>& concavity,
                        const std::vector<double>& boundary_costs) {
-  FacetLinks links = facet_links(mesh);
-  FacetGraph graph{std::move(links.first), std::move(links.neighbour), {}, {}, {}};
-  const std::vector<double> by_edge = conductances(mesh, concavity);
-  graph.conductance.reserve(links.edge.size());
-  graph.cut_cost.reserve(links.edge.size());
-  for (const int e : links.edge) {
-    graph.conductance.push_back(by_edge[e]);
-    graph.cut_cost.push_back(boundary_costs[e]);
-  }
-  graph.size = facet_areas(mesh.points(), mesh.facets());
-  const double h = mean_edge_length(mesh);
-  for (double& size : graph.size) size = std::sqrt(size) / h;
-  return graph;
+  FacetLinks links;
+  std::vector<double> by_edge, sizes;
+  tbb::parallel_invoke([&] { links = facet_links(mesh); }, [&] { by_edge = conductances(mesh, concavity); },
+                       [&] {
+                         sizes = facet_areas(mesh.points(), mesh.facets());
+                         const double h = mean_edge_length(mesh);
+                         for (double& size : sizes) size = std::sqrt(size) / h;
+                       });
+  std::vector<double> conductance(links.edge.size()), cut_cost(links.edge.size());
+  tbb::parallel_for(std::size_t{0}, links.edge.size(), [&](std::size_t k) {
+    conductance[k] = by_edge[links.edge[k]];
+    cut_cost[k] = boundary_costs[links.edge[k]];
+  });
+  return {std::move(links.first), std::move(links.neighbour), std::move(conductance), std::move(cut_cost),
+          std::move(sizes)};
 }
 
 }  // namespace partwise

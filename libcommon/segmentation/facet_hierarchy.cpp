@@ -1,5 +1,8 @@
 #include "segmentation/facet_hierarchy.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -40,13 +43,15 @@ std::vector<int> matched(const Level& level, const Measures& measures) {
   std::vector<int> open(level.node_count());
   std::iota(open.begin(), open.end(), 0);
   for (int round = 0; round < kRounds && !open.empty(); ++round) {
-    for (const int i : open) choice[i] = best_of(i);
-    for (const int i : open) {
+    tbb::parallel_for(std::size_t{0}, open.size(),
+                      [&](std::size_t k) { choice[open[k]] = best_of(open[k]); });
+    tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {  // a node is in one pair at most
+      const int i = open[k];
       if (choice[i] > i && choice[choice[i]] == i) {
         partner[i] = choice[i];
         partner[choice[i]] = i;
       }
-    }
+    });
     std::erase_if(open, [&](int i) { return partner[i] >= 0 || choice[i] < 0; });
   }
   for (std::size_t i = 0; i < partner.size(); ++i) {
@@ -55,35 +60,58 @@ std::vector<int> matched(const Level& level, const Measures& measures) {
   return partner;
 }
 
-/// The next level; fills parent and link_above of `level`.
+/// The next level; fills parent and link_above of `level`. Links of a node come in the order in which its
+/// children's lead there first.
 Level joined(Level& level, const std::vector<int>& partner) {
   std::vector<int> first_child;
   level.parent.resize(level.node_count());
+  std::vector<int> room{0};  // where the links of each new node could begin if all children's stayed apart
   for (int i = 0; i < level.node_count(); ++i) {
-    if (partner[i] >= i) first_child.push_back(i);
-    level.parent[i] = partner[i] >= i ? static_cast<int>(first_child.size()) - 1 : level.parent[partner[i]];
+    if (partner[i] >= i) {
+      level.parent[i] = static_cast<int>(first_child.size());
+      first_child.push_back(i);
+      const int j = partner[i];
+      room.push_back(room.back() + level.first[i + 1] - level.first[i] +
+                     (j > i ? level.first[j + 1] - level.first[j] : 0));
+    } else {
+      level.parent[i] = level.parent[partner[i]];
+    }
   }
+  const auto for_children = [&](std::size_t node, const auto& visit) {
+    const int i = first_child[node];
+    visit(i);
+    if (partner[i] > i) visit(partner[i]);
+  };
+  // Nodes have few links, so that a search along them finds those met before.
   level.link_above.assign(level.neighbour.size(), -1);
+  std::vector<int> met(room.back());
   Level above;
-  std::vector<int> link_to(first_child.size(), -1);  // the link from the node at hand to another
-  for (std::size_t i = 0; i < first_child.size(); ++i) {
-    const int begin = above.first.empty() ? 0 : static_cast<int>(above.neighbour.size());
-    if (above.first.empty()) above.first.push_back(0);
-    auto adopt = [&](int child) {
+  above.first.resize(first_child.size() + 1);
+  tbb::parallel_for(std::size_t{0}, first_child.size(), [&](std::size_t node) {
+    const auto begin = met.begin() + room[node];
+    auto end = begin;
+    for_children(node, [&](int child) {
       for (int k = level.first[child]; k < level.first[child + 1]; ++k) {
         const int j = level.parent[level.neighbour[k]];
-        if (j == static_cast<int>(i)) continue;
-        if (link_to[j] < begin) {
-          link_to[j] = static_cast<int>(above.neighbour.size());
-          above.neighbour.push_back(j);
-        }
-        level.link_above[k] = link_to[j];
+        if (j == static_cast<int>(node)) continue;
+        const auto link = std::find(begin, end, j);
+        if (link == end) *end++ = j;
+        level.link_above[k] = static_cast<int>(link - begin);
       }
-    };
-    adopt(first_child[i]);
-    if (partner[first_child[i]] != first_child[i]) adopt(partner[first_child[i]]);
-    above.first.push_back(static_cast<int>(above.neighbour.size()));
-  }
+    });
+    above.first[node + 1] = static_cast<int>(end - begin);
+  });
+  std::partial_sum(above.first.begin(), above.first.end(), above.first.begin());
+  above.neighbour.resize(above.first.back());
+  tbb::parallel_for(std::size_t{0}, first_child.size(), [&](std::size_t node) {
+    const int begin = above.first[node], count = above.first[node + 1] - begin;
+    std::copy_n(met.begin() + room[node], count, above.neighbour.begin() + begin);
+    for_children(node, [&](int child) {
+      for (int k = level.first[child]; k < level.first[child + 1]; ++k) {
+        if (level.link_above[k] >= 0) level.link_above[k] += begin;
+      }
+    });
+  });
   return above;
 }
 
@@ -100,9 +128,9 @@ std::vector<double> summed(const std::vector<double>& values, const std::vector<
 
 FacetHierarchy::FacetHierarchy(const TriMesh& mesh, int coarsest) {
   FacetLinks links = facet_links(mesh);
-  Measures measures{{}, facet_areas(mesh.points(), mesh.facets())};
-  measures.length.reserve(links.edge.size());
-  for (const int e : links.edge) measures.length.push_back(edge_length(mesh, e));
+  Measures measures{std::vector<double>(links.edge.size()), facet_areas(mesh.points(), mesh.facets())};
+  tbb::parallel_for(std::size_t{0}, links.edge.size(),
+                    [&](std::size_t k) { measures.length[k] = edge_length(mesh, links.edge[k]); });
   levels_.push_back({std::move(links.first), std::move(links.neighbour), {}, {}});
   while (levels_.back().node_count() > coarsest) {
     Level& level = levels_.back();
@@ -112,8 +140,11 @@ FacetHierarchy::FacetHierarchy(const TriMesh& mesh, int coarsest) {
       level.link_above.clear();
       break;
     }
-    measures = {summed(measures.length, level.link_above, above.neighbour.size()),
-                summed(measures.area, level.parent, above.node_count())};
+    Measures next;
+    tbb::parallel_invoke(
+        [&] { next.length = summed(measures.length, level.link_above, above.neighbour.size()); },
+        [&] { next.area = summed(measures.area, level.parent, above.node_count()); });
+    measures = std::move(next);
     levels_.push_back(std::move(above));
   }
 }
@@ -133,10 +164,12 @@ std::vector<FacetGraph> graphs_of_levels(const FacetHierarchy& hierarchy, FacetG
   for (std::size_t k = 0; k + 1 < hierarchy.levels().size(); ++k) {
     const Level &level = hierarchy.levels()[k], &above = hierarchy.levels()[k + 1];
     const FacetGraph& below = graphs.back();
-    graphs.push_back({above.first, above.neighbour,
-                      summed(below.conductance, level.link_above, above.neighbour.size()),
-                      summed(below.cut_cost, level.link_above, above.neighbour.size()),
-                      summed(below.size, level.parent, above.node_count())});
+    FacetGraph next{above.first, above.neighbour, {}, {}, {}};
+    tbb::parallel_invoke(
+        [&] { next.conductance = summed(below.conductance, level.link_above, above.neighbour.size()); },
+        [&] { next.cut_cost = summed(below.cut_cost, level.link_above, above.neighbour.size()); },
+        [&] { next.size = summed(below.size, level.parent, above.node_count()); });
+    graphs.push_back(std::move(next));
   }
   return graphs;
 }

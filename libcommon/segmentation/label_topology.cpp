@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/facet_regions.h"
+
 namespace partwise {
 
 std::vector<int> facets_around(const TriMesh& mesh, int vertex) {
@@ -27,22 +29,16 @@ int extra_fans(const TriMesh& mesh, const std::vector<int>& labels, int vertex) 
 }
 
 LabelComponents label_components(const TriMesh& mesh, const std::vector<int>& labels) {
-  LabelComponents components{std::vector<int>(labels.size(), -1), {}};
-  for (int seed = 0; seed < mesh.facet_count(); ++seed) {
-    if (components.of_facet[seed] >= 0) continue;
-    const int index = static_cast<int>(components.facets.size());
-    std::vector<int> facets{seed};
-    components.of_facet[seed] = index;
-    for (std::size_t i = 0; i < facets.size(); ++i) {
-      OpenMesh::HalfedgeHandle h = mesh.half_edges().halfedge_handle(OpenMesh::FaceHandle(facets[i]));
-      for (int side = 0; side < 3; ++side, h = mesh.half_edges().next_halfedge_handle(h)) {
-        const int f = mesh.half_edges().opposite_face_handle(h).idx();
-        if (f < 0 || components.of_facet[f] >= 0 || labels[f] != labels[seed]) continue;
-        components.of_facet[f] = index;
-        facets.push_back(f);
-      }
+  LabelComponents components{facet_regions(mesh, labels), {}};
+  std::vector<int>& component = components.of_facet;
+  for (std::size_t f = 0; f < component.size(); ++f) {
+    if (component[f] == static_cast<int>(f)) {
+      component[f] = static_cast<int>(components.facets.size());
+      components.facets.emplace_back();
+    } else {
+      component[f] = component[component[f]];
     }
-    components.facets.push_back(std::move(facets));
+    components.facets[component[f]].push_back(static_cast<int>(f));
   }
   return components;
 }

@@ -65,7 +65,7 @@ PartProbabilities walk_randomly(const FacetGraph& graph, const std::vector<bool>
                                 PartProbabilities values) {
   const WalkSystem system = walk_system(graph, is_fixed, values);
   if (system.node_of.empty()) return values;
-  SparseCholesky factor;
+  SparseCholesky factor(CholeskyBlocks::where_quicker);
   if (!factor.factorize(system.lower)) {
     throw ComputationError("the random walker's linear system cannot be factorised; try --method growth");
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "error.h"
+#include "mesh/facet_regions.h"
 
 namespace partwise {
 namespace {
@@ -82,24 +83,10 @@ void require_components(const TriMesh& mesh, const std::vector<int>& component,
 }  // namespace
 
 std::vector<int> facet_components(const TriMesh& mesh) {
-  std::vector<int> component(mesh.facet_count(), -1);
+  std::vector<int> component = facet_regions(mesh, {});
   int count = 0;
-  for (int seed = 0; seed < mesh.facet_count(); ++seed) {
-    if (component[seed] >= 0) continue;
-    std::vector<int> stack{seed};
-    component[seed] = count;
-    while (!stack.empty()) {
-      const OpenMesh::FaceHandle f(stack.back());
-      stack.pop_back();
-      OpenMesh::HalfedgeHandle h = mesh.half_edges().halfedge_handle(f);
-      for (int side = 0; side < 3; ++side, h = mesh.half_edges().next_halfedge_handle(h)) {
-        const int neighbour = mesh.half_edges().opposite_face_handle(h).idx();
-        if (neighbour < 0 || component[neighbour] >= 0) continue;
-        component[neighbour] = count;
-        stack.push_back(neighbour);
-      }
-    }
-    ++count;
+  for (std::size_t f = 0; f < component.size(); ++f) {
+    component[f] = component[f] == static_cast<int>(f) ? count++ : component[component[f]];
   }
   return component;
 }

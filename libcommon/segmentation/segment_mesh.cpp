@@ -22,7 +22,9 @@ SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired
                        [&] { concavity = measure_concavity(mesh, labels, static_cast<int>(names.size())); });
   std::vector<Marker> markers = place_markers(landmarks, places);
   std::vector<Anchor> anchors = place_anchors(mesh, segmentation, landmarks, places);
-  std::vector<std::string> warnings = decomposition_hints(segmentation, concavity, options.tau);
+  std::vector<CutProposal> cuts;
+  if (options.propose_cuts) cuts = propose_cuts(mesh, segmentation, concavity, options.tau);
+  std::vector<std::string> warnings = decomposition_hints(mesh, segmentation, concavity, options.tau, cuts);
   for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
     warnings.push_back(std::move(sentence));
   }
@@ -32,6 +34,7 @@ SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired
   }
   return {{mesh, std::move(segmentation), std::move(markers), std::move(anchors), std::move(concavity)},
           std::move(warnings),
+          std::move(cuts),
           repaired.merged_islands,
           repaired.removed_pinches,
           repaired.changed_facets};

@@ -5,6 +5,7 @@
 
 #include "mesh/segmentation.h"
 #include "segmentation/boundary_refinement.h"
+#include "segmentation/cut_proposals.h"
 #include "segmentation/label_repair.h"
 #include "segmentation/sketch.h"
 #include "segmentation/surface_places.h"
@@ -30,12 +31,14 @@ struct SegmentationOptions {
   int split_rounds = 8;          ///< of averaging along boundaries before facets are cut
   bool propose_anchors = false;  ///< adds anchors marked as proposed, see anchor_proposals.h
   double tau = 0.1;  ///< concavity above which a part should be decomposed further, over the diagonal
+  bool propose_cuts = false;  ///< says where; takes about as long again as the segmentation of such a part
 };
 
 /// A segmented model, and what making it took.
 struct SegmentedMesh {
   SegmentedModel model;
   std::vector<std::string> warnings;  ///< decomposition hints, boundaries without anchors: a sentence each
+  std::vector<CutProposal> cuts;      ///< with propose_cuts, for parts that are too concave
   int merged_islands = 0;             ///< surplus components of parts given to a neighbour
   int removed_pinches = 0;            ///< places where a part touched itself at a vertex
   int changed_facets = 0;             ///< by these two

@@ -1,5 +1,7 @@
 #include "segmentation/segmenter.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -44,10 +46,17 @@ RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, 
 }  // namespace
 
 Segmenter::Segmenter(const TriMesh& mesh, const SegmentationOptions& options)
-    : mesh_(mesh),
-      options_(options),
-      components_(facet_components(mesh)),
-      places_(mesh_, options.snap_limit) {}
+    : mesh_(mesh), options_(options), places_(mesh_, options.snap_limit) {}
+
+void Segmenter::prepare(bool needs_labeller) {
+  const auto find_components = [&] {
+    if (components_.empty()) components_ = facet_components(mesh_);
+  };
+  const auto make_labeller = [&] {
+    if (needs_labeller && !labeller_) labeller_.emplace(mesh_, options_.largest_exact);
+  };
+  tbb::parallel_invoke(find_components, make_labeller);
+}
 
 void Segmenter::require_one_component() const {
   const auto second = std::find(components_.begin(), components_.end(), 1);
@@ -69,7 +78,6 @@ SeparatedLabels Segmenter::label_facets(const std::vector<std::string>& names, c
   if (options_.method == SegmentationMethod::growth) {
     return {remove_ears(mesh_, seeds, grow(mesh_, names, seeds, options_)), {}};
   }
-  if (!labeller_) labeller_.emplace(mesh_, options_.largest_exact);
   const int part_count = static_cast<int>(names.size());
   const std::vector<double>& costs = labeller_->boundary_costs();
   RepairedLabels repaired =
@@ -95,6 +103,7 @@ SegmentedMesh Segmenter::segment(const Sketch& sketch) {
   require_drawn_for(mesh_, sketch);
   const std::vector<std::string> names = part_names(sketch);
   const std::vector<SeedStroke> strokes = seed_strokes(sketch, places_);
+  prepare(names.size() > 1 && options_.method == SegmentationMethod::walker);
   const Seeds seeds = names.size() > 1 ? collect_seeds(mesh_, components_, names, strokes) : Seeds();
   SeparatedLabels labelled = label_facets(names, seeds);
   SegmentedMesh result =

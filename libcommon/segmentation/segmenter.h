@@ -25,6 +25,7 @@ class Segmenter {
   SegmentedMesh segment(const Sketch& sketch);
 
  private:
+  void prepare(bool needs_labeller);
   SeparatedLabels label_facets(const std::vector<std::string>& names, const Seeds& seeds);
   SegmentedMesh split(const Sketch& sketch, const std::vector<std::string>& names, const Seeds& seeds,
                       RepairedLabels repaired);

@@ -41,10 +41,15 @@ struct SparseCholesky::Factor {
   bool analysed = false;
 };
 
-SparseCholesky::SparseCholesky() : factor_(std::make_unique<Factor>()) {
+SparseCholesky::SparseCholesky(CholeskyBlocks blocks) : factor_(std::make_unique<Factor>()) {
   static const bool once = (use_one_blas_thread(), true);
   static_cast<void>(once);
-  factor_->cholmod.setMode(Eigen::CholmodSupernodalLLt);
+  if (blocks == CholeskyBlocks::always) {
+    factor_->cholmod.setMode(Eigen::CholmodSupernodalLLt);
+  } else {
+    factor_->cholmod.setMode(Eigen::CholmodAuto);
+    factor_->cholmod.cholmod().final_ll = 1;  // L L^T either way, which fails where L D L^T need not
+  }
 }
 SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;

@@ -19,6 +19,7 @@ TriMesh mesh_called(const std::string& name) {
   if (name == "two-spheres") return tests::two_spheres(4);
   if (name == "cube") return tests::cube(30);
   if (name == "bumpy-sphere") return tests::bumpy_sphere(37, 0.4);
+  if (name == "jack") return tests::bumpy_sphere(24, 2.5);
   if (name == "hemisphere") return tests::hemisphere(16);
   if (name == "fine-hemisphere") return tests::hemisphere(22);
   throw UsageError("unknown shape " + name);

@@ -238,3 +238,28 @@ fails() {
   jq -e '.metrics["map-to-hull"].folds == 0' mapped.json
   fails 2 "excludes" segment capsule.ply --labels-from whole.ply --split-edges -o out.ply
 }
+
+@test "--propose-cuts writes where to cut concave parts, as a sketch that replays" {
+  sample_mesh jack jack.ply
+  run segment jack.ply --tau 0.05 --propose-cuts cuts.sketch.json -o whole.ply
+  [ "$status" -eq 0 ]
+  [[ "$output" == *"warning: part 'whole': decompose further near vertex "*"; suggestion: cut it into "* ]]
+  [[ "$output" == *"parts in cuts.sketch.json are a suggestion, not a decision"* ]]
+  jq -e '.proposed_cuts | length == 1' whole.json
+  jq -e '.parts[0].concavity.largest as $before | .proposed_cuts[0].pieces | all(.concavity.largest < $before)' whole.json
+  jq -e '.proposed_cuts[0].curves | length > 0 and all((.vertices | length) > 2 and .length > 0)' whole.json
+  segment jack.ply --sketch cuts.sketch.json -o cut.ply
+  [ "$(jq '.parts | length' cut.json)" -eq "$(jq '.proposed_cuts[0].pieces | length' whole.json)" ]
+  jq -e --argjson before "$(jq .parts[0].concavity.largest whole.json)" 'all(.parts[]; .concavity.largest < $before)' cut.json
+  # A hint alone is in every document; nothing is written twice, and later stages do not carry it on.
+  segment jack.ply --tau 0.05 --quiet -o again.ply
+  cmp whole.json again.json
+  hull again.ply -o hull.ply
+  jq -e 'has("proposed_cuts") | not' hull.json
+  fails 4 "cuts.sketch.json" segment jack.ply --tau 0.05 --propose-cuts cuts.sketch.json -o out.ply
+  fails 2 "excludes" segment jack.ply --split-edges --propose-cuts out.sketch.json -o out.ply
+  run segment capsule.ply --sketch good.sketch.json --propose-cuts same.sketch.json -o fine.ply
+  [[ "$output" == *"no cut is proposed: same.sketch.json has no new part"* ]]
+  jq -e '[.parts[].name] == ["south", "north"] and .parts[0].strokes == [{"vertices": [0, 60]}]' same.sketch.json
+  jq -e 'has("proposed_cuts") | not' fine.json
+}

@@ -44,6 +44,21 @@ TEST(Sketch, KnowsEveryFormOfStrokeMarkerAndAnchor) {
   EXPECT_EQ(sketch.mesh->facets, 16);
 }
 
+TEST(Sketch, IsWrittenAsItIsRead) {
+  const Json written = Json::parse(std::string(R"({"schema": "partwise/sketch-1", "comment": "mine",
+    "parts": [{"name": "a", "strokes": [{"vertices": [3, 1]}, {"points": [[0.0, 0.1, 1.0]]},
+                {"screen": [[4.0, 5.0], [6.0, 7.0]], "camera": {"view": [1.0,2.0,0.0,0.0, 0.0,1.0,0.0,0.0,
+                 0.0,0.0,1.0,0.0, 0.0,0.0,0.0,1.0], "projection": [1.0,0.0,0.0,0.0, 0.0,1.0,0.0,0.0,
+                 0.0,0.0,1.0,0.0, 0.0,0.0,0.0,1.0], "viewport": [800.0, 600.0]}}]}, {"name": "b", "strokes": []}],
+    "markers": [{"name": "v", "vertex": 7}, {"name": "p", "point": [1.0, 2.0, 3.0]},
+                {"name": "f", "face": 2, "barycentric": [0.25, 0.25, 0.5]}],
+    "anchors": [{"name": "top", "between": ["b", "a"], "vertex": 9}],
+    "mesh": {"vertices": 10, "faces": 16}})"));
+  EXPECT_EQ(to_json(parse_sketch(written), "mine"), written);
+  const Json empty = {{"schema", "partwise/sketch-1"}, {"parts", Json::array()}};
+  EXPECT_EQ(to_json(Sketch(), ""), empty);
+}
+
 TEST(Sketch, MayBeEmpty) {
   EXPECT_TRUE(parse_sketch(std::string(R"({"schema": "partwise/sketch-1"})")).parts.empty());
 }

@@ -52,7 +52,7 @@ TEST(Alignment, ALinearMapAboutCentresFollowsManyPointsAndThePriorWithoutAny) {
   EXPECT_EQ(fit_linear({}, {1, 1, 1}, {5, 0, 0}, prior, 1), prior);
 }
 
-TEST(Alignment, ExtentsAreMatchedAlongTheTargetsAxes) {
+TEST(Alignment, ExtentsAreMatchedAlongTheAxes) {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.2, Vec3(1, 1, 0).normalized()).toRotationMatrix();
   Points source, target;
   const TriMesh box = tests::cube(2);
@@ -60,7 +60,7 @@ TEST(Alignment, ExtentsAreMatchedAlongTheTargetsAxes) {
     source.push_back(p.cwiseProduct(Vec3(1, 2, 5)));
     target.push_back(turn * p.cwiseProduct(Vec3(3, 4, 7)));
   }
-  const Eigen::Matrix3d found = match_extents(source, target, turn);
+  const Eigen::Matrix3d found = match_extents(source, target, turn, turn);
   for (std::size_t i = 0; i < source.size(); ++i) EXPECT_LT((found * source[i] - target[i]).norm(), 1e-9);
 }
 

@@ -7,6 +7,7 @@
 #include "builders.h"
 #include "mapping/model_pair.h"
 #include "segmentation/compatibility.h"
+#include "segmentation/mirrored_anchors.h"
 #include "segmentation/segment_mesh.h"
 #include "segmentation/sketches.h"
 
@@ -71,6 +72,41 @@ TEST(AnchorProposals, LookTowardsAnotherPartWhereNoMarkerIsNear) {
   EXPECT_GT(model.mesh.point(model.anchors[0].vertex).y(), 0.05);
   EXPECT_LT(model.mesh.point(model.anchors[1].vertex).y(), -0.05);
   EXPECT_GT(model.mesh.point(model.anchors[2].vertex).x(), 0.05);
+}
+
+TEST(MirroredName, ExchangesWholeWordsOnly) {
+  EXPECT_EQ(mirrored_name("left arm"), "right arm");
+  EXPECT_EQ(mirrored_name("arm-Right outer"), "arm-Left outer");
+  EXPECT_FALSE(mirrored_name("cleft"));
+  EXPECT_FALSE(mirrored_name("bright"));
+  EXPECT_FALSE(mirrored_name("head"));
+}
+
+TEST(AnchorProposals, MirrorThoseOfTheOtherSide) {
+  const TriMesh ball = tests::sphere(12);
+  Sketch sketch;
+  sketch.parts = {part_at(ball, "left ear", {{1, 0, 0}}), part_at(ball, "right ear", {{-1, 0, 0}}),
+                  part_at(ball, "body", {{0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}})};
+  SegmentationOptions options;
+  options.propose_anchors = true;
+  const SegmentedModel bare = segment_mesh(ball, sketch, options).model;
+  const std::vector<int>& left = bare.segmentation.curves[0].vertices;
+  const int top = *std::max_element(left.begin(), left.end(), [&](int a, int b) {
+    return ball.point(a).dot(Vec3(0, 1, 2)) < ball.point(b).dot(Vec3(0, 1, 2));
+  });
+  sketch.anchors = {{"left ear top", {"left ear", "body"}, top}, {"nameless", {"left ear", "body"}, left[0]}};
+  const SegmentedModel model = segment_mesh(ball, sketch, options).model;
+  ASSERT_EQ(model.anchors.size(), 3U);
+  const Anchor& mirrored = model.anchors[2];
+  EXPECT_EQ(mirrored.name, "right ear top (proposed)");
+  EXPECT_TRUE(mirrored.proposed);
+  const Vec3& place = ball.point(top);
+  EXPECT_LT((ball.point(mirrored.vertex) - Vec3(-place.x(), place.y(), place.z())).norm(), 0.15);
+  sketch.anchors.push_back(
+      {"right ear top", {"right ear", "body"}, model.segmentation.curves[1].vertices[0]});
+  const SegmentedModel both = segment_mesh(ball, sketch, options).model;
+  EXPECT_TRUE(std::none_of(both.anchors.begin(), both.anchors.end(),
+                           [](const Anchor& a) { return a.name == "right ear top (proposed)"; }));
 }
 
 TEST(AnchorProposals, StandBackWhereTheUserGaveTwoAnchors) {
