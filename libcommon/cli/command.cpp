@@ -203,11 +203,16 @@ io::HistoryEntry Command::history_entry() const {
 
 void Command::write(io::Document document, const std::vector<const io::Document*>& inputs,
                     const io::Json& metrics) {
+  write_to(output_, std::move(document), inputs, metrics);
+}
+
+void Command::write_to(const std::string& path, io::Document document,
+                       const std::vector<const io::Document*>& inputs, const io::Json& metrics) {
   io::Json own = metrics.is_null() ? io::Json::object() : metrics;
   own.update(profile());
   forward_metadata(document.metadata, inputs, name_, own);
   document.metadata["history"] = io::extend_history(inputs, history_entry());
-  io::write_document(output_, document, force_);
+  io::write_document(path, document, force_);
 }
 
 io::Json Command::profile() const {

@@ -100,6 +100,10 @@ class Command {
   void write(io::Document document, const std::vector<const io::Document*>& inputs,
              const io::Json& metrics = io::Json::object());
 
+  /// The same for a tool that writes several documents, to a path of its own choice.
+  void write_to(const std::string& path, io::Document document,
+                const std::vector<const io::Document*>& inputs, const io::Json& metrics = io::Json::object());
+
   /// Time and peak memory with --profile, else nothing; `write` adds it to a document's metrics itself.
   io::Json profile() const;
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "attributes/origins.h"
+#include "mesh/tri_mesh.h"
+
+namespace partwise {
+
+/// Texture coordinates at the corners of facets, so that neighbours may differ: at a seam.
+struct TextureCorners {
+  std::vector<std::array<double, 6>> places;  ///< per facet: u, v of its three corners
+  std::vector<double> images;                 ///< per facet: number of its image; empty: one for all
+};
+
+/// The texture coordinates that a model takes over through a map.
+///
+/// A facet of the receiver takes all its corners from one side of the seams: from the facets of the giver
+/// around the one that it has most samples in, as far as coordinates go on without a jump. A corner that lies
+/// beyond a seam takes the nearest place before it. So seams follow edges of the receiver, and no facet
+/// spreads over the image. A seam that ends inside a facet's image is not noticed.
+TextureCorners carry_texture(const TextureCorners& given, const TriMesh& giver, const TriMesh& receiver,
+                             const Origins& origins);
+
+}  // namespace partwise
