@@ -40,7 +40,7 @@ std::string page(cli::Command& command, const std::string& folder, const Options
   if (!options.target.empty()) places.target = options.target;
   const report::RunDocuments run = command.about(folder, [&] { return report::read_run(places); });
   for (const report::StageState& stage : run.stages) {
-    if (!stage.trouble.empty()) command.warn(stage.title + ": " + stage.path + ": " + stage.trouble);
+    if (!stage.trouble.empty()) command.warn(stage.title + ": " + stage.file + ": " + stage.trouble);
   }
   return report::run_page(run, options.run);
 }

@@ -31,7 +31,7 @@ Json row_of(const std::string& folder, const BatchPageOptions& options, PageArra
   const fs::path page = fs::path(folder) / "report.html";
   row["link"] = fs::exists(page) ? Json(name + "/report.html") : Json();
   try {
-    const RunDocuments run = read_run(run_places(folder));
+    const RunDocuments run = read_run(run_places(folder), RunDepth::result);
     row["figures"] = page_figures(run.measure);
     row["findings"] = page_findings(run);
     const Json shown = thumbnail_surfaces(run, options.thumbnail_facets, arrays);

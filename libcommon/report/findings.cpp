@@ -17,7 +17,7 @@ std::string counted(long number, const std::string& singular, const std::string&
 
 std::string percent(double share) {
   char text[40];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  std::snprintf(text, sizeof text, "%.2g\u00a0%%", 100 * share);
   return text;
 }
 
@@ -53,13 +53,18 @@ class Findings {
     found_.push_back({weight, stage, text});
   }
 
+  // Of a finished pair the intermediate documents may be missing: a shell pipeline keeps none.
   void add_stages() {
+    const bool finished = run_.compatible && run_.measure.is_object();
     for (const StageState& stage : run_.stages) {
-      if (stage.missing) {
+      if (stage.missing && finished) {
+        add(Weight::note, stage.title,
+            "There is no " + stage.file + ": this stage was not kept, and cannot be shown.");
+      } else if (stage.missing) {
         add(Weight::failure, stage.title,
-            "There is no " + stage.path + ": this stage has not been made, or it failed.");
+            "There is no " + stage.file + ": this stage has not been made, or it failed.");
       } else if (!stage.trouble.empty()) {
-        add(Weight::failure, stage.title, stage.path + ": " + stage.trouble + ".");
+        add(Weight::failure, stage.title, stage.file + ": " + stage.trouble + ".");
       }
     }
   }

@@ -14,11 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kPairStages[][2] = {{"crossmap", "hull-to-hull"},
-                                          {"reconstructed", "reconstruct"},
-                                          {"critical", "critical-points"},
-                                          {"compatible", "relocate"}};
-
 // The last part of a path that may end in a slash.
 std::string folder_name(const std::string& folder) {
   return (fs::absolute(folder) / "").lexically_normal().parent_path().filename().string();
@@ -29,15 +24,20 @@ bool has_model(const std::string& prefix) {
          fs::exists(prefix + ".hullmap.ply");
 }
 
-// Reads one stage's document and hands it to `use`; notes what goes wrong.
+using Use = std::function<void(const io::Document&)>;
+
+StageState state_of(const std::string& title, const std::string& path) {
+  StageState state{title, fs::path(path).filename().string(), "", false, io::Json::object(), ""};
+  state.missing = !fs::exists(path);
+  if (state.missing) state.trouble = "there is no such file";
+  return state;
+}
+
+// Reads one stage's document and hands it to `use`; notes what goes wrong. Without `use` it only looks.
 StageState read_stage(const std::string& title, const std::string& path, const std::string& kind,
-                      const std::function<void(const io::Document&)>& use) {
-  StageState state{title, path, "", false, io::Json::object(), ""};
-  if (!fs::exists(path)) {
-    state.missing = true;
-    state.trouble = "there is no such file";
-    return state;
-  }
+                      const Use& use) {
+  StageState state = state_of(title, path);
+  if (state.missing || !use) return state;
   try {
     const io::Document document = io::read_document(path);
     if (document.kind() != kind) {
@@ -53,31 +53,11 @@ StageState read_stage(const std::string& title, const std::string& path, const s
   return state;
 }
 
-void read_model(const std::string& side, const std::string& prefix, RunDocuments& run, ModelStages& stages) {
-  const auto title = [&](const std::string& tool) { return tool + " (" + side + ")"; };
-  run.stages.push_back(
-      read_stage(title("segment"), prefix + ".segment.ply", "segment",
-                 [&](const io::Document& d) { stages.model = io::read_segmented_model(d); }));
-  run.stages.push_back(read_stage(title("hull"), prefix + ".hull.ply", "hull", [&](const io::Document& d) {
-    const HulledModel hulled = io::read_hulled_model(d);
-    stages = {hulled.model, hulled.parts, hulled.hulls, {}};
-  }));
-  run.stages.push_back(
-      read_stage(title("map-to-hull"), prefix + ".hullmap.ply", "hullmap", [&](const io::Document& d) {
-        const HullMap map = io::read_hull_map(d);
-        stages = {map.hulled.model, map.hulled.parts, map.hulled.hulls, map.images};
-      }));
-}
-
 StageState read_measure(const std::string& path, io::Json& measure) {
-  StageState state{"measure", path, "", false, io::Json::object(), ""};
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    state.missing = true;
-    state.trouble = "there is no such file";
-    return state;
-  }
+  StageState state = state_of("measure", path);
+  if (state.missing) return state;
   try {
+    std::ifstream file(path, std::ios::binary);
     const io::Json document = io::Json::parse(file, nullptr, false);
     if (document.is_discarded()) throw InputError("is no JSON: make it anew with measure");
     io::validate(document, "measure-1");
@@ -87,6 +67,24 @@ StageState read_measure(const std::string& path, io::Json& measure) {
     state.trouble = error.what();
   }
   return state;
+}
+
+// Reads the stages of one model, or only looks for them.
+void read_model(const std::string& side, const std::string& prefix, bool look, RunDocuments& run,
+                ModelStages& stages) {
+  const auto read = [&](const std::string& tool, const std::string& kind, const Use& use) {
+    run.stages.push_back(
+        read_stage(tool + " (" + side + ")", prefix + "." + kind + ".ply", kind, look ? Use() : use));
+  };
+  read("segment", "segment", [&](const io::Document& d) { stages.model = io::read_segmented_model(d); });
+  read("hull", "hull", [&](const io::Document& d) {
+    const HulledModel hulled = io::read_hulled_model(d);
+    stages = {hulled.model, hulled.parts, hulled.hulls, {}};
+  });
+  read("map-to-hull", "hullmap", [&](const io::Document& d) {
+    const HullMap map = io::read_hull_map(d);
+    stages = {map.hulled.model, map.hulled.parts, map.hulled.hulls, map.images};
+  });
 }
 
 // What the model's own documents do not say, a later one may.
@@ -179,27 +177,36 @@ const io::Json& RunDocuments::last_metadata() const {
   return none;
 }
 
-RunDocuments read_run(const RunPlaces& places) {
+RunDocuments read_run(const RunPlaces& places, RunDepth depth) {
+  if (!fs::is_directory(places.folder)) {
+    throw IoError(places.folder + ": is no folder; name the one that holds a pair");
+  }
   RunDocuments run;
   run.name = folder_name(places.folder);
-  read_model("source", places.source, run, run.source);
-  read_model("target", places.target, run, run.target);
-  const auto compatible_into = [](std::optional<CompatibleMesh>& mesh) {
+  const auto into = [](std::optional<CompatibleMesh>& mesh) {
     return [&mesh](const io::Document& d) { mesh.emplace(io::read_compatible_mesh(d)); };
   };
-  const std::function<void(const io::Document&)> uses[] = {
-      [&](const io::Document& d) { run.cross_map = io::read_cross_map(d); },
-      compatible_into(run.reconstructed), compatible_into(run.critical), compatible_into(run.compatible)};
-  for (std::size_t i = 0; i < std::size(kPairStages); ++i) {
-    const auto& [file, tool] = kPairStages[i];
-    const std::string kind = i == 0 ? "crossmap" : "compatible";
-    run.stages.push_back(read_stage(tool, places.folder + "/" + file + ".ply", kind, uses[i]));
-  }
-  run.stages.push_back(read_measure(places.folder + "/measure.json", run.measure));
+  const auto in_folder = [&](const std::string& name) { return places.folder + "/" + name; };
+  const StageState compatible =
+      read_stage("relocate", in_folder("compatible.ply"), "compatible", into(run.compatible));
+  const StageState measure = read_measure(in_folder("measure.json"), run.measure);
+  const bool look = depth == RunDepth::result && compatible.trouble.empty() && measure.trouble.empty();
+  read_model("source", places.source, look, run, run.source);
+  read_model("target", places.target, look, run, run.target);
+  const auto read = [&](const std::string& tool, const std::string& name, const std::string& kind,
+                        const Use& use) {
+    run.stages.push_back(read_stage(tool, in_folder(name), kind, look ? Use() : use));
+  };
+  read("hull-to-hull", "crossmap.ply", "crossmap",
+       [&](const io::Document& d) { run.cross_map = io::read_cross_map(d); });
+  read("reconstruct", "reconstructed.ply", "compatible", into(run.reconstructed));
+  read("critical-points", "critical.ply", "compatible", into(run.critical));
+  run.stages.push_back(compatible);
+  run.stages.push_back(measure);
   bool any = false;
   for (const StageState& stage : run.stages) any = any || stage.trouble.empty();
   if (!any) {
-    throw InputError("there is no document of a pair in it that can be read (" + run.stages.front().path +
+    throw InputError("there is no document of a pair in it that can be read (" + run.stages.front().file +
                      ": " + run.stages.front().trouble +
                      "); name a folder that cross-parameterize.mk filled");
   }

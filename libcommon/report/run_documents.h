@@ -28,7 +28,7 @@ bool is_run_folder(const std::string& folder);
 /// What became of one stage.
 struct StageState {
   std::string title;    ///< for people: "segment (source)"
-  std::string path;     ///< of its document
+  std::string file;     ///< name of its document, without folders
   std::string trouble;  ///< why there is nothing to show of it; empty when there is
   bool missing = false;
   io::Json metadata;   ///< of its document; an empty object when in trouble
@@ -59,9 +59,15 @@ struct RunDocuments {
   const io::Json& last_metadata() const;
 };
 
+enum class RunDepth {
+  everything,
+  /// Of a finished pair only the compatible mesh and its figures; the other stages are just seen to be there.
+  result
+};
+
 /// Reads what there is. Documents that are missing, cannot be read or belong to other meshes than the last
 /// stage's are noted in `stages` and left out.
-/// \throws InputError when there is no document at all
-RunDocuments read_run(const RunPlaces& places);
+/// \throws IoError when there is no such folder, InputError when it has no document that can be read
+RunDocuments read_run(const RunPlaces& places, RunDepth depth = RunDepth::everything);
 
 }  // namespace partwise::report

@@ -60,7 +60,7 @@ function trouble_of(side) {
   const tool = stage.tools[side];
   const state = facts.stages.find(({ title }) => title === tool);
   const why = state?.trouble ? `: ${state.trouble}` : "";
-  return `Nothing to show: the stage ${tool} is missing${why}.`;
+  return `Nothing to show of ${tool}${why}.`;
 }
 
 function show_morph() {
@@ -128,7 +128,7 @@ function fill_stages() {
     tab.dataset.stage = entry.id;
     tab.setAttribute("aria-controls", "stage");
     tab.textContent = entry.title;
-    if (!entry.panes.some((name) => surfaces[name])) {
+    if (entry.panes.some((name) => !surfaces[name])) {
       tab.classList.add("missing");
       tab.append(Object.assign(document.createElement("span"), { textContent: "missing" }));
     }
