@@ -20,6 +20,17 @@ setup_file() {
   critical-points pair/reconstructed.ply -o pair/critical.ply
   relocate pair/critical.ply --profile -o pair/compatible.ply
   measure pair/compatible.ply -o pair/measure.json
+  export NO_PAGES=
+  report pair -o page.html 2>message || NO_PAGES=$(grep 'has no pages' message)
+}
+
+setup() {
+  if [ -n "$NO_PAGES" ]; then
+    [ -z "${PARTWISE_REQUIRE_BROWSER:-}" ] || { echo "$NO_PAGES"; return 1; }
+    skip "$NO_PAGES"
+  fi
+  PATH="$PARTWISE_BIN:$PATH"
+  cd "$BATS_TEST_TMPDIR"
 }
 
 # pair FOLDER: a copy of it.
