@@ -14,6 +14,10 @@ foreach(path IN LISTS PAGES)
 endforeach()
 file(WRITE ${OUTPUT}.new "#include \"report/embedded_pages.h\"
 
+#ifdef __clang__
+#pragma clang diagnostic ignored \"-Woverlength-strings\"
+#endif
+
 namespace partwise::report {
 
 const std::map<std::string, const char*>& embedded_pages() {

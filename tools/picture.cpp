@@ -73,11 +73,11 @@ int main(int argc, char** argv) {
   return command.run(argc, argv, [&] {
     std::vector<report::Panel> panels;
     for (std::size_t i = 0; i < files.size(); ++i) {
-      const auto [aspect, file] = parse_shown(files[i]);
-      const bool of_pair = aspect == "source" || aspect == "target";
-      const io::Document document =
-          command.read(file, of_pair ? std::vector<std::string>{"compatible"} : std::vector<std::string>{});
-      report::Panel panel = command.about(file, [&] { return panel_of(document, aspect); });
+      const Shown shown = parse_shown(files[i]);
+      const bool of_pair = shown.aspect == "source" || shown.aspect == "target";
+      const io::Document document = command.read(
+          shown.file, of_pair ? std::vector<std::string>{"compatible"} : std::vector<std::string>{});
+      report::Panel panel = command.about(shown.file, [&] { return panel_of(document, shown.aspect); });
       const std::string view = for_panel(views, i, files.size(), "--view");
       if (view != "auto") panel.view = report::parse_view(view);
       const std::string caption = for_panel(captions, i, files.size(), "--caption");

@@ -1,14 +1,13 @@
 #include "report/run_surfaces.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 #include "mapping/alignment.h"
-#include "measure/hull_folds.h"
-#include "report/display_mesh.h"
+#include "report/hull_surfaces.h"
 #include "report/palette.h"
+#include "report/shown_model.h"
 #include "report/surface_fields.h"
-#include "report/view.h"
 
 namespace partwise::report {
 
@@ -16,57 +15,7 @@ using io::Json;
 
 namespace {
 
-constexpr double kLift = 1.02;          // of folded facets, from the hull's centre
-constexpr double kUsualShare = 0.99;    // of the values that colour maps span
-constexpr double kShownDiagonal = 2.0;  // of every model on the page
-
-using Frame = Eigen::Affine3d;
-
-// A model turned by `rotation`, in the middle of the view.
-Frame centred(const Points& points, const Eigen::Matrix3d& rotation) {
-  Vec3 low = rotation * points.front();
-  Vec3 high = low;
-  for (const Vec3& p : points) {
-    low = low.cwiseMin(rotation * p);
-    high = high.cwiseMax(rotation * p);
-  }
-  const double diagonal = std::max((high - low).norm(), 1e-300);
-  const double scale = kShownDiagonal / diagonal;
-  Frame frame = Frame::Identity();
-  frame.linear() = scale * rotation;
-  frame.translation() = -scale * (low + high) / 2;
-  return frame;
-}
-
-Eigen::Matrix3d rotation_of(const View& view) {
-  Eigen::Matrix3d rotation;
-  rotation << view.right.transpose(), view.up.transpose(), view.toward.transpose();
-  return rotation;
-}
-
-Points moved(const Frame& frame, const Points& points) {
-  Points result;
-  result.reserve(points.size());
-  for (const Vec3& p : points) result.push_back(frame * p);
-  return result;
-}
-
-template <class T>
-std::vector<T> picked(const std::vector<T>& all, const std::vector<int>& indices) {
-  std::vector<T> result;
-  result.reserve(indices.size());
-  for (const int i : indices) result.push_back(all[i]);
-  return result;
-}
-
-// A model as the page shows it.
-struct Shown {
-  const SegmentedModel* model = nullptr;
-  Frame frame = Frame::Identity();
-  DisplayMesh display;
-  Points pattern;  // per vertex of the model: the point of the source there, in the source's frame
-  Json facets, parts, pattern_array;
-};
+constexpr double kUsualShare = 0.99;  // of the values that colour maps span
 
 class Surfaces {
  public:
@@ -75,39 +24,29 @@ class Surfaces {
   Json thumbnails();
 
  private:
-  void add_bare(const std::string& side, Shown& shown);
+  void add_bare(const std::string& side, ShownModel& shown);
   Json part_list() const;
   const CompatibleMesh* best() const;
   void place_models(int most);
   void set_pattern();
-  std::vector<std::uint8_t> part_numbers(const std::vector<std::string>& names,
-                                         const std::vector<int>& labels) const;
-  Json surface_of(const Shown& shown, const std::string& family, const Points& positions);
-  void add_model(const std::string& side, Shown& shown, const ModelStages& stages);
+  Json surface_of(const ShownModel& shown, const std::string& family, const Points& positions);
+  void add_model(const std::string& side, ShownModel& shown, const ModelStages& stages);
   void add_compatible(const std::string& name, const std::optional<CompatibleMesh>& mesh);
   void add_fields(const CompatibleMesh& mesh);
-  Json hulls(const std::vector<ConvexHull>& hulls, const std::vector<std::string>& names, const Frame& frame);
-  Json images(const Shown& shown, const std::string& family, const std::vector<Part>& parts,
-              const std::vector<Points>& images, const std::vector<ConvexHull>& hulls, const Frame& frame);
   Json marks();
 
   const RunDocuments& run_;
   PageArrays& arrays_;
-  Shown source_, target_;
-  std::vector<std::string> part_names_;
+  ShownModel source_, target_;
+  PartNumbers numbers_;
   Json surfaces_ = Json::object();
 };
 
 Surfaces::Surfaces(const RunDocuments& run, int most, PageArrays& arrays) : run_(run), arrays_(arrays) {
   if (run.source.model) source_.model = &*run.source.model;
   if (run.target.model) target_.model = &*run.target.model;
-  for (const Shown* shown : {&source_, &target_}) {
-    if (!shown->model) continue;
-    for (const std::string& name : shown->model->segmentation.names) {
-      if (std::find(part_names_.begin(), part_names_.end(), name) == part_names_.end()) {
-        part_names_.push_back(name);
-      }
-    }
+  for (const ShownModel* shown : {&source_, &target_}) {
+    if (shown->model) numbers_.add(shown->model->segmentation.names);
   }
   place_models(most);
   set_pattern();
@@ -121,10 +60,10 @@ const CompatibleMesh* Surfaces::best() const {
 }
 
 void Surfaces::place_models(int most) {
-  for (Shown* shown : {&source_, &target_}) {
+  for (ShownModel* shown : {&source_, &target_}) {
     if (!shown->model) continue;
     const TriMesh& mesh = shown->model->mesh;
-    shown->frame = centred(mesh.points(), rotation_of(automatic_view(mesh.points())));
+    shown->frame = centred_frame(mesh.points(), rotation_of(automatic_view(mesh.points())));
     shown->display = display_mesh(mesh, shown->model->segmentation.labels, most);
   }
   if (const CompatibleMesh* mesh = best()) {
@@ -133,7 +72,7 @@ void Surfaces::place_models(int most) {
       matched.add(mesh->source.point(v), target_.frame * mesh->points[v]);
     }
     const Eigen::Matrix3d rotation = fit_similarity(matched, Frame::Identity()).rotation();
-    source_.frame = centred(mesh->source.points(), rotation);
+    source_.frame = centred_frame(mesh->source.points(), rotation);
   }
 }
 
@@ -146,18 +85,8 @@ void Surfaces::set_pattern() {
   }
 }
 
-std::vector<std::uint8_t> Surfaces::part_numbers(const std::vector<std::string>& names,
-                                                 const std::vector<int>& labels) const {
-  std::vector<std::uint8_t> numbers;
-  for (const std::string& name : names) {
-    const auto place = std::find(part_names_.begin(), part_names_.end(), name) - part_names_.begin();
-    numbers.push_back(static_cast<std::uint8_t>(place));
-  }
-  return picked(numbers, labels);
-}
-
 // Any state of a model that has a position for each of its vertices.
-Json Surfaces::surface_of(const Shown& shown, const std::string& family, const Points& positions) {
+Json Surfaces::surface_of(const ShownModel& shown, const std::string& family, const Points& positions) {
   Json surface{{"family", family},
                {"positions", arrays_.add(picked(positions, shown.display.vertices))},
                {"facets", shown.facets},
@@ -167,131 +96,30 @@ Json Surfaces::surface_of(const Shown& shown, const std::string& family, const P
   return surface;
 }
 
-void Surfaces::add_bare(const std::string& side, Shown& shown) {
+void Surfaces::add_bare(const std::string& side, ShownModel& shown) {
   const Segmentation& segmentation = shown.model->segmentation;
   shown.facets = arrays_.add(shown.display.facets);
   shown.parts =
-      arrays_.add(part_numbers(segmentation.names, picked(segmentation.labels, shown.display.origin)));
+      arrays_.add(numbers_.of(segmentation.names, picked(segmentation.labels, shown.display.origin)));
   surfaces_[side] = surface_of(shown, side, moved(shown.frame, shown.model->mesh.points()));
 }
 
-void Surfaces::add_model(const std::string& side, Shown& shown, const ModelStages& stages) {
+void Surfaces::add_model(const std::string& side, ShownModel& shown, const ModelStages& stages) {
   const Segmentation& segmentation = shown.model->segmentation;
   if (!shown.pattern.empty()) {
     shown.pattern_array = arrays_.add(picked(shown.pattern, shown.display.vertices));
   }
   add_bare(side, shown);
   if (!stages.hulls.empty()) {
-    surfaces_[side + "_hulls"] = hulls(stages.hulls, segmentation.names, shown.frame);
+    surfaces_[side + "_hulls"] =
+        hulls_surface(stages.hulls, segmentation.names, shown.frame, numbers_, arrays_);
   }
   if (!stages.images.empty()) {
-    surfaces_[side + "_hullmap"] =
-        images(shown, side, stages.parts, stages.images, stages.hulls, shown.frame);
+    Json& surface = surfaces_[side + "_hullmap"];
+    surface =
+        images_surface(shown, {stages.parts, stages.images, stages.hulls}, shown.frame, numbers_, arrays_);
+    surface["family"] = side;
   }
-}
-
-Json Surfaces::hulls(const std::vector<ConvexHull>& hulls, const std::vector<std::string>& names,
-                     const Frame& frame) {
-  Points points;
-  Facets facets;
-  std::vector<int> labels;
-  for (std::size_t k = 0; k < hulls.size(); ++k) {
-    const int offset = static_cast<int>(points.size());
-    for (const Vec3& p : hulls[k].points) points.push_back(frame * p);
-    for (const Facet& f : hulls[k].facets) facets.push_back({f[0] + offset, f[1] + offset, f[2] + offset});
-    labels.insert(labels.end(), hulls[k].facets.size(), static_cast<int>(k));
-  }
-  return {{"family", "hulls"},
-          {"flat", true},
-          {"positions", arrays_.add(points)},
-          {"facets", arrays_.add(facets)},
-          {"parts", arrays_.add(part_numbers(names, labels))},
-          {"total", facets.size()}};
-}
-
-// Shown corners of maps onto hulls: one per part and local vertex.
-class LocalVertices {
- public:
-  int number(int part, int local) {
-    const auto [entry, added] = numbers_.try_emplace({part, local}, static_cast<int>(order.size()));
-    if (added) order.emplace_back(part, local);
-    return entry->second;
-  }
-  std::vector<std::pair<int, int>> order;
-
- private:
-  std::map<std::pair<int, int>, int> numbers_;
-};
-
-// Where a local vertex of a part has its pattern; the centre of a cap in the middle of its loop.
-Vec3 pattern_at(const Part& part, int local, const Points& pattern) {
-  if (!part.is_cap_vertex(local)) return pattern[part.model_vertex[local]];
-  const auto cap =
-      std::find(part.cap_vertices.begin(), part.cap_vertices.end(), local) - part.cap_vertices.begin();
-  Vec3 sum = Vec3::Zero();
-  for (const int v : part.loops[cap]) sum += pattern[part.model_vertex[v]];
-  return sum / static_cast<double>(part.loops[cap].size());
-}
-
-// A model's parts on hulls: its shown facets in their order, then the caps, then all folded facets.
-Json Surfaces::images(const Shown& shown, const std::string& family, const std::vector<Part>& parts,
-                      const std::vector<Points>& images, const std::vector<ConvexHull>& hulls,
-                      const Frame& frame) {
-  const std::vector<int>& labels = shown.model->segmentation.labels;
-  std::vector<int> place(parts.size());  // of the part with an index
-  for (std::size_t k = 0; k < parts.size(); ++k) place[parts[k].index] = static_cast<int>(k);
-  LocalVertices local;
-  Facets facets;
-  std::vector<int> facet_labels;
-  for (std::size_t i = 0; i < shown.display.facets.size(); ++i) {
-    const int label = labels[shown.display.origin[i]];
-    const int k = place[label];
-    Facet corners{};
-    for (int j = 0; j < 3; ++j) {
-      const int vertex = shown.display.vertices[shown.display.facets[i][j]];
-      corners[j] = local.number(k, parts[k].local_vertex(vertex));
-    }
-    facets.push_back(corners);
-    facet_labels.push_back(label);
-  }
-  const std::size_t caps_from = facets.size();
-  Points lifted;
-  Facets folded;
-  int folds = 0;
-  for (int k = 0; k < static_cast<int>(parts.size()); ++k) {
-    const Part& part = parts[k];
-    for (int f = 0; f < part.mesh.facet_count(); ++f) {
-      if (!part.is_cap_facet(f)) continue;
-      const Facet& c = part.mesh.facet(f);
-      facets.push_back({local.number(k, c[0]), local.number(k, c[1]), local.number(k, c[2])});
-      facet_labels.push_back(part.index);
-    }
-    const Vec3 centre = hull_centre(hulls[k]);
-    for (const int f : hull_folds(images[k], part.mesh.facets(), centre).folded) {
-      const int first = static_cast<int>(lifted.size());
-      for (const int v : part.mesh.facet(f)) {
-        lifted.push_back(frame * (centre + kLift * (images[k][v] - centre)));
-      }
-      folded.push_back({first, first + 1, first + 2});
-      ++folds;
-    }
-  }
-  Points positions, pattern;
-  for (const auto& [k, v] : local.order) {
-    positions.push_back(frame * images[k][v]);
-    if (!shown.pattern.empty()) pattern.push_back(pattern_at(parts[k], v, shown.pattern));
-  }
-  Json surface{{"family", family},
-               {"flat", true},
-               {"positions", arrays_.add(positions)},
-               {"facets", arrays_.add(facets)},
-               {"parts", arrays_.add(part_numbers(shown.model->segmentation.names, facet_labels))},
-               {"total", shown.model->mesh.facet_count()},
-               {"caps_from", caps_from},
-               {"folds", folds}};
-  if (!pattern.empty()) surface["pattern"] = arrays_.add(pattern);
-  if (folds > 0) surface["folded"] = {{"positions", arrays_.add(lifted)}, {"facets", arrays_.add(folded)}};
-  return surface;
 }
 
 void Surfaces::add_compatible(const std::string& name, const std::optional<CompatibleMesh>& mesh) {
@@ -354,9 +182,9 @@ Json Surfaces::marks() {
 
 Json Surfaces::part_list() const {
   Json parts = Json::array();
-  const std::vector<Color> colors = part_colors(part_names_);
-  for (std::size_t i = 0; i < part_names_.size(); ++i) {
-    parts.push_back({{"name", part_names_[i]}, {"color", colors[i]}});
+  const std::vector<Color> colors = part_colors(numbers_.names());
+  for (std::size_t i = 0; i < numbers_.names().size(); ++i) {
+    parts.push_back({{"name", numbers_.names()[i]}, {"color", colors[i]}});
   }
   return parts;
 }
@@ -382,8 +210,10 @@ Json Surfaces::page() {
   }
   if (run_.cross_map) {
     const CrossMap& map = *run_.cross_map;
-    surfaces_["crossmap"] =
-        images(source_, "source", map.source_parts, map.images, map.target.hulled.hulls, target_.frame);
+    Json& surface = surfaces_["crossmap"];
+    surface = images_surface(source_, {map.source_parts, map.images, map.target.hulled.hulls}, target_.frame,
+                             numbers_, arrays_);
+    surface["family"] = "source";
   }
   add_compatible("reconstructed", run_.reconstructed);
   add_compatible("critical", run_.critical);

@@ -130,7 +130,7 @@ facts() {
   report out -q -o page.html
   facts page.html >facts.json
   jq -e '.surfaces.source_hullmap.folds > 0' facts.json
-  jq -e '.surfaces.source_hullmap | .folded.facets.count == 3 * .folds' facts.json
+  jq -e '.surfaces.source_hullmap | .folded.positions.count == 9 * .folds' facts.json
 }
 
 @test "large models are decimated for display, and the page has both numbers" {
