@@ -4,7 +4,7 @@ const { after, before, test } = require("node:test");
 const { chromium, options, open_page, shoot, share, covered } = require("./page.cjs");
 
 const [file] = process.argv.slice(2);
-const red = "r > 110 && g < 40 && b < 40";
+const red = "r > 190 && g < 60 && b < 60";
 let browser, page, complaints, requests;
 
 before(async () => {

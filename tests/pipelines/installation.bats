@@ -8,7 +8,7 @@ setup_file() {
 
 @test "one command on the path, the tools behind it" {
   [ "$(ls "$PREFIX/bin")" = partwise ]
-  for tool in convert-mesh segment hull map-to-hull hull-to-hull reconstruct critical-points relocate measure picture; do
+  for tool in convert-mesh segment hull map-to-hull hull-to-hull reconstruct critical-points relocate measure picture report; do
     [ -x "$PREFIX/libexec/partwise/$tool" ]
   done
 }

@@ -64,7 +64,7 @@ class Pane {
     const mesh = new THREE.Mesh(surface.geometry, this.material);
     mesh.frustumCulled = false;
     this.scene.add(mesh);
-    const folded = surface.folded_mesh(this.material);
+    const folded = surface.folded_mesh();
     if (folded) this.scene.add(folded);
     if (edges) this.scene.add(new THREE.LineSegments(surface.edge_geometry(), this.lines));
     for (const { positions, color, size } of marks) {

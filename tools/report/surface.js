@@ -19,6 +19,7 @@ void main() {
 const fragment_shader = `
 uniform float cell;
 uniform float contrast;
+uniform float dimmed;
 varying vec3 v_normal;
 varying vec3 v_color;
 varying vec3 v_pattern;
@@ -35,15 +36,16 @@ void main() {
     vec3 edge = clamp(sin(pi * p) / (pi * fwidth(p) + 1e-6), -1.0, 1.0);
     color = mix(color, color * 0.42, 0.5 + 0.5 * edge.x * edge.y * edge.z);
   }
-  if (outside < 0.0) color = mix(color, vec3(0.35), 0.6);
+  if (outside < 0.0) color = mix(color, vec3(0.35), dimmed);
   float light = 0.36 + 0.6 * key + 0.14 * fill;
   gl_FragColor = vec4(color * mix(0.95, light, contrast), 1.0);
 }`;
 
 export function surface_material() {
   return new THREE.ShaderMaterial({
-    // Size of a cell of the pattern, 0 for none; how strong the shading is: less where colours are values.
-    uniforms: { cell: { value: 0 }, contrast: { value: 1 } },
+    // Size of a cell of the pattern, 0 for none; how strong the shading is, less where colours are values; how much
+    // the inside is greyed.
+    uniforms: { cell: { value: 0 }, contrast: { value: 1 }, dimmed: { value: 0.6 } },
     vertexShader: vertex_shader,
     fragmentShader: fragment_shader,
     side: THREE.DoubleSide,
@@ -170,8 +172,12 @@ export class Surface {
   }
 
   /** The folded facets, red, a little lifted; null when there are none. */
-  folded_mesh(material) {
+  folded_mesh() {
     if (!this.facts.folded) return null;
+    // They show their inside, being turned over: as red as any.
+    const material = surface_material();
+    material.uniforms.dimmed.value = 0;
+    material.uniforms.contrast.value = 0.4;
     const geometry = new THREE.BufferGeometry();
     const positions = numbers(this.facts.folded.positions);
     const colors = new Float32Array(positions.length);
