@@ -19,11 +19,8 @@ panels := $(call model_panels,$(SOURCE_MODEL)) $(OUT)/crossmap.ply $(call model_
 views := $(if $(filter-out auto,$(SOURCE_VIEW) $(TARGET_VIEW)),$(foreach i,1 2 3 4,$(SOURCE_VIEW)) $(foreach \
   i,1 2 3 4 5 6,$(TARGET_VIEW)))
 
-# POV-Ray may read and write in the folder where it runs, not everywhere.
 $(OUT)/picture.png: $(OUT)/picture.pov
-	@cd '$(OUT)' && povray $$(sed -n '1s,^// *,,p' picture.pov) +Ipicture.pov +Opicture.part.png +FN -D +A0.2 +R3 \
-	  >picture.log 2>&1 || { cat picture.log >&2; exit 1; }
-	@cd '$(OUT)' && rm -f picture.log && mv picture.part.png picture.png
+	$(call povray,$(OUT),picture)
 
 $(OUT)/picture.pov: $(sort $(patsubst mesh=%,%,$(panels))) $(call settings,$(OUT)/.settings/picture,$(views) $(PICTURE_WIDTH))
 	'$(PARTWISE_BIN)/picture' $(panels) --columns 5 --width $(PICTURE_WIDTH) $(addprefix --view=,$(views)) --force -o $@

@@ -24,6 +24,13 @@ check_input = $(call check_path,$(1))$(if $(wildcard $($(1))),,$(error \
   $(1)="$($(1))": $(if $($(1)),there is no such file,not given); say $(1)=$(2)))
 
 document = $(1).ply $(1).json
+# $(call povray,FOLDER,NAME): commands that render FOLDER/NAME.pov, which the tool picture wrote, as FOLDER/NAME.png.
+# POV-Ray may read and write in the folder where it runs, not everywhere.
+define povray
+@cd '$(1)' && povray $$(sed -n '1s,^// *,,p' $(2).pov) +I$(2).pov +O$(2).part.png +FN -D +A0.2 +R3 \
+  >$(2).log 2>&1 || { cat $(2).log >&2; exit 1; }
+@cd '$(1)' && rm -f $(2).log && mv $(2).part.png $(2).png
+endef
 # $(call settings,FILE,WORDS): names FILE and rewrites it when WORDS change, so that what depends on it is made anew.
 settings = $(1)$(if $(subst |settings: $(strip $(2))|,,|$(file <$(1))|),$(shell mkdir -p '$(dir $(1))')$(file \
   >$(1),settings: $(strip $(2))))

@@ -8,14 +8,29 @@ using namespace partwise;
 
 namespace {
 
-const std::string kMeshPrefix = "mesh=";
+constexpr const char* kAspects[] = {"mesh", "source", "target"};
 
-report::Panel panel_of(const io::Document& document, bool plain) {
+/// A file on the command line: all of it, or one aspect as in mesh=FILE.
+struct Shown {
+  std::string aspect;
+  std::string file;
+};
+
+Shown parse_shown(const std::string& word) {
+  for (const std::string aspect : kAspects) {
+    if (word.starts_with(aspect + "=")) return {aspect, word.substr(aspect.size() + 1)};
+  }
+  return {"", word};
+}
+
+report::Panel panel_of(const io::Document& document, const std::string& aspect) {
   const std::string kind = document.kind();
-  if (!plain && kind == "mesh" && report::has_vertex_colors(document.tables)) {
+  if (aspect.empty() && kind == "mesh" && report::has_vertex_colors(document.tables)) {
     return report::colored_panel(document.tables);
   }
-  if (plain || kind == "mesh") return report::mesh_panel(io::read_mesh(document));
+  if (aspect == "source") return report::source_panel(io::read_compatible_mesh(document));
+  if (aspect == "target") return report::target_panel(io::read_compatible_mesh(document));
+  if (aspect == "mesh" || kind == "mesh") return report::mesh_panel(io::read_mesh(document));
   if (kind == "segment") return report::parts_panel(io::read_segmented_model(document));
   if (kind == "hull") return report::hulls_panel(io::read_hulled_model(document));
   if (kind == "hullmap") return report::hull_map_panel(io::read_hull_map(document));
@@ -47,7 +62,7 @@ int main(int argc, char** argv) {
   app.add_option(
          "document", files,
          "Documents of any kind; meshes with coloured vertices are shown with their colours; mesh=FILE shows "
-         "the bare mesh of FILE")
+         "the bare mesh of FILE, source=FILE and target=FILE the models of a compatible mesh")
       ->required();
   app.add_option(
          "--view", views,
@@ -62,10 +77,11 @@ int main(int argc, char** argv) {
   return command.run(argc, argv, [&] {
     std::vector<report::Panel> panels;
     for (std::size_t i = 0; i < files.size(); ++i) {
-      const bool plain = files[i].starts_with(kMeshPrefix);
-      const std::string file = plain ? files[i].substr(kMeshPrefix.size()) : files[i];
-      const io::Document document = command.read(file, {});
-      report::Panel panel = command.about(file, [&] { return panel_of(document, plain); });
+      const Shown shown = parse_shown(files[i]);
+      const bool of_pair = shown.aspect == "source" || shown.aspect == "target";
+      const io::Document document = command.read(
+          shown.file, of_pair ? std::vector<std::string>{"compatible"} : std::vector<std::string>{});
+      report::Panel panel = command.about(shown.file, [&] { return panel_of(document, shown.aspect); });
       const std::string view = for_panel(views, i, files.size(), "--view");
       if (view != "auto") panel.view = report::parse_view(view);
       const std::string caption = for_panel(captions, i, files.size(), "--caption");

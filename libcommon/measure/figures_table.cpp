@@ -96,13 +96,19 @@ std::string aligned(const std::vector<Row>& rows) {
 
 }  // namespace
 
+std::vector<FigureRow> figure_rows(const Json& document) {
+  std::vector<FigureRow> rows;
+  for (const Figure& figure : kFigures) {
+    const std::string value = shown(document, figure);
+    const bool optional = std::string(figure.pointer).rfind("/truth", 0) == 0;
+    if (value != "-" || !optional) rows.push_back({figure.pointer, figure.heading, figure.meaning, value});
+  }
+  return rows;
+}
+
 std::string figures_table(const NamedMeasure& measure) {
   std::vector<Row> rows{{measure.name, ""}};
-  for (const Figure& figure : kFigures) {
-    const std::string value = shown(measure.document, figure);
-    const bool optional = std::string(figure.pointer).rfind("/truth", 0) == 0;
-    if (value != "-" || !optional) rows.push_back({figure.meaning, value});
-  }
+  for (const FigureRow& row : figure_rows(measure.document)) rows.push_back({row.meaning, row.value});
   return aligned(rows);
 }
 

@@ -50,6 +50,21 @@ int append_images(Panel& panel, const Part& part, const Points& images, const Co
   return static_cast<int>(folded.size());
 }
 
+// The facets of `mesh` over `points`, coloured by part in bands along the mesh.
+Panel labelled(const Points& points, const TriMesh& mesh, const std::vector<int>& labels,
+               const std::vector<std::string>& names) {
+  Panel panel;
+  panel.view = automatic_view(points);
+  const std::vector<Color> of_part = part_colors(names);
+  const std::vector<int> band = bands(mesh);
+  std::vector<Color> colors(mesh.facet_count());
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    colors[f] = banded(of_part[labels[f]], band[f]);
+  }
+  append(panel, points, mesh.facets(), colors);
+  return panel;
+}
+
 }  // namespace
 
 Panel mesh_panel(const TriMesh& mesh) {
@@ -61,16 +76,9 @@ Panel mesh_panel(const TriMesh& mesh) {
 }
 
 Panel parts_panel(const SegmentedModel& model) {
-  Panel panel;
-  panel.caption = count(model.segmentation.part_count(), "part");
-  panel.view = automatic_view(model.mesh.points());
-  const std::vector<Color> of_part = part_colors(model.segmentation.names);
-  const std::vector<int> band = bands(model.mesh);
-  std::vector<Color> colors(model.mesh.facet_count());
-  for (int f = 0; f < model.mesh.facet_count(); ++f) {
-    colors[f] = banded(of_part[model.segmentation.labels[f]], band[f]);
-  }
-  append(panel, model.mesh.points(), model.mesh.facets(), colors);
+  const Segmentation& parts = model.segmentation;
+  Panel panel = labelled(model.mesh.points(), model.mesh, parts.labels, parts.names);
+  panel.caption = count(parts.part_count(), "part");
   return panel;
 }
 
@@ -114,16 +122,21 @@ Panel cross_map_panel(const CrossMap& map) {
 }
 
 Panel compatible_panel(const CompatibleMesh& mesh) {
-  Panel panel;
+  Panel panel = labelled(mesh.points, mesh.source, mesh.source_labels, mesh.part_names);
   panel.caption = "compatible mesh";
   panel.view = automatic_view(mesh.target.points());
-  const std::vector<Color> of_part = part_colors(mesh.part_names);
-  const std::vector<int> band = bands(mesh.source);
-  std::vector<Color> colors(mesh.source.facet_count());
-  for (int f = 0; f < mesh.source.facet_count(); ++f) {
-    colors[f] = banded(of_part[mesh.source_labels[f]], band[f]);
-  }
-  append(panel, mesh.points, mesh.source.facets(), colors);
+  return panel;
+}
+
+Panel source_panel(const CompatibleMesh& mesh) {
+  Panel panel = labelled(mesh.source.points(), mesh.source, mesh.source_labels, mesh.part_names);
+  panel.caption = "source";
+  return panel;
+}
+
+Panel target_panel(const CompatibleMesh& mesh) {
+  Panel panel = labelled(mesh.target.points(), mesh.target, mesh.target_labels, mesh.part_names);
+  panel.caption = "target";
   return panel;
 }
 

@@ -30,5 +30,7 @@ Panel hulls_panel(const HulledModel& hulled);
 Panel hull_map_panel(const HullMap& map);
 Panel cross_map_panel(const CrossMap& map);
 Panel compatible_panel(const CompatibleMesh& mesh);
+Panel source_panel(const CompatibleMesh& mesh);  ///< the source that it was made from
+Panel target_panel(const CompatibleMesh& mesh);
 
 }  // namespace partwise::report

@@ -1,5 +1,6 @@
 # Several pairs over shared models, real tools.
 load pipelines.bash
+load ../browser/browser.bash
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
@@ -31,4 +32,18 @@ batch() {
   [[ "$output" = *"failed: ball-broken"* ]]
   check_result out/ball-egg 360 352
   [ ! -e out/ball-broken/measure.json ]
+}
+
+@test "a batch has a page for each pair, one for all, and a contact sheet" {
+  batch results PAIRS="ball:egg" -j2
+  make_page out/ball-egg page.html
+  make -f "$pipelines/report.mk" OUT=out
+  cmp page.html out/ball-egg/report.html
+  grep -q '"link":"ball-egg/report.html"' out/index.html
+  make -f "$pipelines/report.mk" contact-sheet OUT=out SHEET_WIDTH=600
+  [ "$(od -An -tx1 -j1 -N3 out/contact-sheet.png)" = " 50 4e 47" ]
+  make -q -f "$pipelines/report.mk" contact-sheet OUT=out SHEET_WIDTH=600
+  run make -f "$pipelines/report.mk" OUT=models
+  [ "$status" -ne 0 ]
+  [[ "$output" = *"there is no pair in this folder"* ]]
 }

@@ -1,5 +1,6 @@
 # camel -> cow, the demo, by make and by pipe.
 load pipelines.bash
+load ../browser/browser.bash
 
 # The pair is made once for all tests of this file, on as many jobs as there are processors.
 setup_file() {
@@ -69,4 +70,13 @@ camel_to_cow() {
 @test "nothing but finished documents lies in the folder" {
   run find "$PAIR" -type f ! -path '*/.settings/*' ! -name '*.ply' ! -name '*.json'
   [ -z "$output" ]
+}
+
+@test "its report, by make, in a browser" {
+  cp -r "$PAIR" out
+  make_page out page.html
+  make -f "$pipelines/report.mk" OUT=out
+  cmp page.html out/report.html
+  make -q -f "$pipelines/report.mk" OUT=out
+  browser_test finished-pair.cjs "$PWD/out/report.html" "$PWD/out/measure.json"
 }

@@ -9,7 +9,7 @@ setup_file() {
 @test "one command on the path, the tools behind it" {
   [ "$(ls "$PREFIX/bin")" = partwise ]
   for tool in convert-mesh segment hull map-to-hull hull-to-hull reconstruct critical-points relocate measure morph transfer \
-    picture; do
+    picture report; do
     [ -x "$PREFIX/libexec/partwise/$tool" ]
   done
 }

@@ -1,5 +1,6 @@
 # Pairs of meshes that may not be passed on; they run where PARTWISE_REFERENCE_DATA says where these are.
 load pipelines.bash
+load ../browser/browser.bash
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
@@ -15,6 +16,8 @@ pair() {
   pair "$(reference_mesh cat-reference)" "$(reference_mesh lion-reference)" cat lion
   check_result out 14410 9996
   jq -e '.markers == 18 and .rms_distance <= 0.005 and .max_distance <= 0.03' out/measure.json
+  make_page out page.html
+  browser_test finished-pair.cjs "$PWD/page.html" "$PWD/out/measure.json"
 }
 
 @test "lion -> cat" {

@@ -1,0 +1,67 @@
+#include "report/page.h"
+
+#include "error.h"
+#include "report/embedded_pages.h"
+
+namespace partwise::report {
+
+namespace {
+
+const char* embedded(const std::string& name) {
+  const auto file = embedded_pages().find(name);
+  if (file != embedded_pages().end()) return file->second;
+  throw ComputationError(
+      "this build has no pages, since npm could not bundle them when it was built: install npm (Debian: "
+      "apt-get install npm), make sure that it reaches its registry, and build again");
+}
+
+std::string escaped_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+// JSON inside a script element, which "</script" or "<!--" would end.
+std::string escaped_json(const io::Json& facts) {
+  std::string result;
+  for (const char c : facts.dump(-1, ' ', true, io::Json::error_handler_t::replace)) {
+    if (c == '<') {
+      result += "\\u003c";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string html_page(Page page, const std::string& title, const io::Json& facts, const PageArrays& arrays) {
+  const std::string name = page == Page::run ? "run" : "batch";
+  const std::pair<std::string, std::string> places[] = {{"title", escaped_text(title)},
+                                                        {"style", embedded("page.css")},
+                                                        {"facts", escaped_json(facts)},
+                                                        {"arrays", base64(arrays.bytes())},
+                                                        {"script", embedded(name + ".js")}};
+  const std::string text = embedded(name + ".html");
+  std::string result;
+  std::size_t from = 0;
+  for (const auto& [place, value] : places) {  // in this order in the template
+    const std::string mark = "{{" + place + "}}";
+    const std::size_t at = text.find(mark, from);
+    result.append(text, from, at - from);
+    result += value;
+    from = at + mark.size();
+  }
+  return result + text.substr(from);
+}
+
+}  // namespace partwise::report

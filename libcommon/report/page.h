@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "report/page_arrays.h"
+
+namespace partwise::report {
+
+/// The pages that tools/report/ holds, each with its own script.
+enum class Page { run, batch };
+
+/// A self-contained HTML page: template, style, script, `facts` and `arrays` in one file that asks for no
+/// other. \param title of the browser's window
+/// \throws ComputationError when this build has no pages, since npm could not bundle them; says how to get
+/// them
+std::string html_page(Page page, const std::string& title, const io::Json& facts, const PageArrays& arrays);
+
+}  // namespace partwise::report
