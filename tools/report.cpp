@@ -55,7 +55,5 @@ int main(int argc, char** argv) {
       command.input("folder", "Folder of a pair that cross-parameterize.mk made", false);
   declare(command.options(), options);
   const std::string& output = command.output_file("Where to write the page, X.html; - is standard output");
-  return command.run(argc, argv, [&] {
-    command.write_text(output, page(command, folder, options));
-  });
+  return command.run(argc, argv, [&] { command.write_text(output, page(command, folder, options)); });
 }

@@ -181,7 +181,8 @@ Untangling::Region Untangling::region(int rings) const {
     facets.push_back(facet);
   }
   FacetHessians assembly(facets, unknowns);
-  return {std::move(vertices), std::move(numbers), std::move(unknowns), std::move(assembly), SparseCholesky()};
+  return {std::move(vertices), std::move(numbers), std::move(unknowns), std::move(assembly),
+          SparseCholesky()};
 }
 
 double Untangling::energy_of(const Region& region, const std::vector<Place>& places, double epsilon) const {

