@@ -5,7 +5,7 @@
 namespace partwise {
 
 struct SurfaceRelaxationOptions {
-  int iterations = 50;           ///< of Newton's method, at most; >= 0
+  int iterations = 20;           ///< of Newton's method, at most; >= 0
   double least_decrease = 1e-3;  ///< relative; five iterations in a row below it end the relaxation
 };
 
