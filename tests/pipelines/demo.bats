@@ -80,3 +80,13 @@ camel_to_cow() {
   make -q -f "$pipelines/report.mk" OUT=out
   browser_test finished-pair.cjs "$PWD/out/report.html" "$PWD/out/measure.json"
 }
+
+@test "triceratops -> cow by markers alone, without strokes, is certified" {
+  for name in triceratops cow; do
+    jq '{schema, markers}' "$sketches/$name.sketch.json" >"$name.sketch.json"
+  done
+  cross_parameterize "$(demo_mesh triceratops)" triceratops.sketch.json "$(demo_mesh cow)" cow.sketch.json out
+  check_result out 5660 5804
+  "$PARTWISE_BIN/measure" out/compatible.ply --certify --require-certificate
+  jq -e '.one_to_one and .markers == 18 and .marker_error_max < 1e-9' out/measure.json
+}
