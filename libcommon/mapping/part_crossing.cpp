@@ -25,12 +25,6 @@ Points about(const Points& points, const Vec3& centre) {
   return result;
 }
 
-int local_vertex(const Part& part, int model_vertex) {
-  const auto end = part.model_vertex.end() - static_cast<std::ptrdiff_t>(part.cap_vertices.size());
-  const auto found = std::lower_bound(part.model_vertex.begin(), end, model_vertex);
-  return found != end && *found == model_vertex ? static_cast<int>(found - part.model_vertex.begin()) : -1;
-}
-
 int local_facet(const Part& part, int model_facet) {
   const auto found = std::find(part.model_facet.begin(), part.model_facet.end(), model_facet);
   return static_cast<int>(found - part.model_facet.begin());
@@ -67,9 +61,9 @@ PartToHull::PartToHull(const ModelPair& pair, const HullMap& source, const HullM
 
 void PartToHull::pin_boundary(const std::vector<BoundaryPlacement>& placements) {
   for (const BoundaryPlacement& p : placements) {
-    const int local = local_vertex(source_, p.source_vertex);
+    const int local = source_.local_vertex(p.source_vertex);
     if (local < 0) continue;
-    const int a = local_vertex(target_, p.target_a), b = local_vertex(target_, p.target_b);
+    const int a = target_.local_vertex(p.target_a), b = target_.local_vertex(p.target_b);
     const Vec3 goal = (1 - p.fraction) * target_images_[a] + p.fraction * target_images_[b];
     pins_.push_back({local, hull_.project(goal, 0).position});
   }
@@ -86,7 +80,7 @@ void PartToHull::pin_caps(const std::vector<BoundaryPlacement>& placements) {
     const auto place =
         std::lower_bound(placements.begin(), placements.end(), model_vertex,
                          [](const BoundaryPlacement& p, int v) { return p.source_vertex < v; });
-    const int there = target_loop[local_vertex(target_, place->target_a)];
+    const int there = target_loop[target_.local_vertex(place->target_a)];
     const Vec3& goal = target_images_[target_.cap_vertices[there]];
     pins_.push_back({source_.cap_vertices[i], hull_.project(goal, 0).position});
     for (std::size_t j = 0; j < loop.size(); ++j) {
