@@ -195,7 +195,8 @@ Eigen::VectorXd Relaxation::newton_step() {
   for (std::size_t v = 0; v < places_.size(); ++v) {
     if (unknowns_[v] >= 0) downhill.segment<2>(2 * unknowns_[v]) = -tangents_[v].transpose() * gradient[v];
   }
-  // Where facets differ by many orders of magnitude, sums of positive blocks are positive only up to rounding.
+  // Where facets differ by many orders of magnitude, sums of positive blocks are positive only up to
+  // rounding.
   for (double lift = 0; !solver_.factorize(hessian); lift = std::max(1e-10, 10 * lift)) {
     if (lift > 1e-4) {
       throw ComputationError("the distortion's Hessian is not positive definite in double precision");
