@@ -51,13 +51,12 @@ std::vector<int> vertices_to_remove(const Part& part) {
 /// The part's own vertices seen from the hull's centre.
 Points projected(const Part& part, const StarHull& hull, const Vec3& centre) {
   Points images;
-  int hint = 0;
   for (const Vec3& point : part.mesh.points()) {
     const Vec3 direction = point - centre;
-    const StarHull::Place place = hull.project(direction.isZero(0) ? Vec3::UnitX() : direction, hint);
-    images.push_back(place.position);
-    hint = place.facet;
+    images.push_back(direction.isZero(0) ? Vec3(Vec3::UnitX()) : direction);
   }
+  const std::vector<StarHull::Place> places = hull.project(images);
+  for (std::size_t v = 0; v < places.size(); ++v) images[v] = places[v].position;
   return images;
 }
 

@@ -10,12 +10,8 @@ UntangledMap untangle_on_hull(const TriMesh& mesh, const StarHull& hull, const P
   constexpr double kRounding = 0.1;
   UntangledMap result =
       untangle(mesh, hull_references(mesh, hull.area()), SmoothHull(hull, kRounding), start, fixed);
-  int hint = 0;
-  for (Vec3& image : result.images) {
-    const StarHull::Place place = hull.project(image, hint);
-    image = place.position;
-    hint = place.facet;
-  }
+  const std::vector<StarHull::Place> places = hull.project(result.images);
+  for (std::size_t v = 0; v < places.size(); ++v) result.images[v] = places[v].position;
   return result;
 }
 
