@@ -5,7 +5,7 @@
 
 namespace partwise::io {
 
-/// Text of every file of schemas/, by name without ".schema.json", such as "segment-1".
+/// Text of every schema of schemas/, by file name, such as "segment-1.schema.json".
 const std::map<std::string, const char*>& embedded_schemas();
 
 }  // namespace partwise::io

@@ -20,13 +20,16 @@ namespace {
 using Adapter = valijson::adapters::NlohmannJsonAdapter;
 
 const std::string kPrefix = "partwise/";
+const std::string kEnding = ".schema.json";
 
+/// \param name such as "segment-1"
 Json schema_text(const std::string& name) {
-  const auto found = embedded_schemas().find(name);
+  const auto found = embedded_schemas().find(name + kEnding);
   if (found == embedded_schemas().end()) {
     std::string known;
-    for (const auto& [schema, text] : embedded_schemas()) {
-      if (schema.rfind("common", 0) != 0) known += (known.empty() ? "" : ", ") + kPrefix + schema;
+    for (const auto& [file, text] : embedded_schemas()) {
+      if (file.starts_with("common")) continue;
+      known += (known.empty() ? "" : ", ") + kPrefix + file.substr(0, file.find(kEnding));
     }
     throw InputError("metadata /schema: '" + kPrefix + name + "' is not known to this version; it knows " +
                      known);
@@ -36,7 +39,7 @@ Json schema_text(const std::string& name) {
 
 /// For references from one schema into another: "common-1.schema.json".
 const Json* fetch_schema(const std::string& uri) {
-  return new Json(schema_text(uri.substr(0, uri.find(".schema.json"))));
+  return new Json(schema_text(uri.substr(0, uri.find(kEnding))));
 }
 
 void free_schema(const Json* schema) {

@@ -25,7 +25,7 @@ std::string verdict(const Json& findings) {
   return result;
 }
 
-Json row_of(const std::string& folder, const BatchPageOptions& options, PageArrays& arrays) {
+Json row_of(const std::string& folder, DisplayMeshes& displays, PageArrays& arrays) {
   const std::string name = fs::path(folder).filename().string();
   Json row{{"name", name}, {"figures", Json::array()}};
   const fs::path page = fs::path(folder) / "report.html";
@@ -34,7 +34,7 @@ Json row_of(const std::string& folder, const BatchPageOptions& options, PageArra
     const RunDocuments run = read_run(run_places(folder), RunDepth::result);
     row["figures"] = page_figures(run.measure);
     row["findings"] = page_findings(run);
-    const Json shown = thumbnail_surfaces(run, options.thumbnail_facets, arrays);
+    const Json shown = thumbnail_surfaces(run, displays, arrays);
     row["surfaces"] = shown.at("surfaces");
     row["parts"] = shown.at("parts");
   } catch (const Error& error) {
@@ -63,9 +63,10 @@ std::string batch_page(const std::string& folder, const BatchPageOptions& option
   if (folders.empty()) {
     throw InputError(folder + ": holds no pair; name the folder that batch.mk wrote to");
   }
+  DisplayMeshes displays(options.thumbnail_facets);
   PageArrays arrays;
   Json rows = Json::array();
-  for (const std::string& run : folders) rows.push_back(row_of(run, options, arrays));
+  for (const std::string& run : folders) rows.push_back(row_of(run, displays, arrays));
   const std::string name = (fs::absolute(folder) / "").lexically_normal().parent_path().filename().string();
   return html_page(Page::batch, name + " - partwise",
                    {{"name", name}, {"version", PARTWISE_VERSION}, {"rows", rows}}, arrays);

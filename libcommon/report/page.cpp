@@ -46,12 +46,11 @@ std::string escaped_json(const io::Json& facts) {
 
 std::string html_page(Page page, const std::string& title, const io::Json& facts, const PageArrays& arrays) {
   const std::string name = page == Page::run ? "run" : "batch";
-  const std::pair<std::string, std::string> places[] = {{"title", escaped_text(title)},
-                                                        {"style", embedded("page.css")},
-                                                        {"facts", escaped_json(facts)},
-                                                        {"arrays", base64(arrays.bytes())},
-                                                        {"script", embedded(name + ".js")}};
-  const std::string text = embedded(name + ".html");
+  const std::pair<std::string, std::string> places[] = {
+      {"title", escaped_text(title)},     {"style", embedded("page.css")}, {"class", name},
+      {"body", embedded(name + ".html")}, {"facts", escaped_json(facts)},  {"arrays", base64(arrays.bytes())},
+      {"script", embedded(name + ".js")}};
+  const std::string text = embedded("page.html");
   std::string result;
   std::size_t from = 0;
   for (const auto& [place, value] : places) {  // in this order in the template

@@ -6,10 +6,10 @@
 
 namespace partwise::report {
 
-/// The pages that tools/report/ holds, each with its own script.
+/// The pages that tools/report/ holds, each with its own body and script.
 enum class Page { run, batch };
 
-/// A self-contained HTML page: template, style, script, `facts` and `arrays` in one file that asks for no
+/// A self-contained HTML page: frame, body, style, script, `facts` and `arrays` in one file that asks for no
 /// other. \param title of the browser's window
 /// \throws ComputationError when this build has no pages, since npm could not bundle them; says how to get
 /// them

@@ -19,7 +19,7 @@ constexpr double kUsualShare = 0.99;  // of the values that colour maps span
 
 class Surfaces {
  public:
-  Surfaces(const RunDocuments& run, int most, PageArrays& arrays);
+  Surfaces(const RunDocuments& run, DisplayMeshes& displays, PageArrays& arrays);
   Json page();
   Json thumbnails();
 
@@ -27,7 +27,7 @@ class Surfaces {
   void add_bare(const std::string& side, ShownModel& shown);
   Json part_list() const;
   const CompatibleMesh* best() const;
-  void place_models(int most);
+  void place_models(DisplayMeshes& displays);
   void set_pattern();
   Json surface_of(const ShownModel& shown, const std::string& family, const Points& positions);
   void add_model(const std::string& side, ShownModel& shown, const ModelStages& stages);
@@ -42,13 +42,14 @@ class Surfaces {
   Json surfaces_ = Json::object();
 };
 
-Surfaces::Surfaces(const RunDocuments& run, int most, PageArrays& arrays) : run_(run), arrays_(arrays) {
+Surfaces::Surfaces(const RunDocuments& run, DisplayMeshes& displays, PageArrays& arrays)
+    : run_(run), arrays_(arrays) {
   if (run.source.model) source_.model = &*run.source.model;
   if (run.target.model) target_.model = &*run.target.model;
   for (const ShownModel* shown : {&source_, &target_}) {
     if (shown->model) numbers_.add(shown->model->segmentation.names);
   }
-  place_models(most);
+  place_models(displays);
   set_pattern();
 }
 
@@ -59,12 +60,12 @@ const CompatibleMesh* Surfaces::best() const {
   return nullptr;
 }
 
-void Surfaces::place_models(int most) {
+void Surfaces::place_models(DisplayMeshes& displays) {
   for (ShownModel* shown : {&source_, &target_}) {
     if (!shown->model) continue;
     const TriMesh& mesh = shown->model->mesh;
     shown->frame = centred_frame(mesh.points(), rotation_of(automatic_view(mesh.points())));
-    shown->display = display_mesh(mesh, shown->model->segmentation.labels, most);
+    shown->display = displays.of(mesh, shown->model->segmentation.labels);
   }
   if (const CompatibleMesh* mesh = best()) {
     MatchedPoints matched;
@@ -226,11 +227,12 @@ Json Surfaces::page() {
 }  // namespace
 
 Json run_surfaces(const RunDocuments& run, int most, PageArrays& arrays) {
-  return Surfaces(run, most, arrays).page();
+  DisplayMeshes displays(most);
+  return Surfaces(run, displays, arrays).page();
 }
 
-Json thumbnail_surfaces(const RunDocuments& run, int most, PageArrays& arrays) {
-  return Surfaces(run, most, arrays).thumbnails();
+Json thumbnail_surfaces(const RunDocuments& run, DisplayMeshes& displays, PageArrays& arrays) {
+  return Surfaces(run, displays, arrays).thumbnails();
 }
 
 }  // namespace partwise::report

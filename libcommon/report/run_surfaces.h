@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/display_meshes.h"
 #include "report/page_arrays.h"
 #include "report/run_documents.h"
 
@@ -14,6 +15,7 @@ namespace partwise::report {
 io::Json run_surfaces(const RunDocuments& run, int most, PageArrays& arrays);
 
 /// The same of the bare meshes alone: source, target, compatible mesh.
-io::Json thumbnail_surfaces(const RunDocuments& run, int most, PageArrays& arrays);
+/// \param displays serves all pairs of a batch
+io::Json thumbnail_surfaces(const RunDocuments& run, DisplayMeshes& displays, PageArrays& arrays);
 
 }  // namespace partwise::report

@@ -21,6 +21,13 @@ browser_test() {
   NODE_PATH="$PARTWISE_BUILD/tests/browser/node_modules" node --test-reporter=spec "$here/$script" "$@"
 }
 
+# The npm packages that the report's pages were bundled from: three.js and esbuild.
+page_modules() {
+  local modules=$PARTWISE_BUILD/libcommon/report/pages/node_modules
+  [ -d "$modules/three" ] || missing_browser "this build has no npm packages"
+  echo "$modules"
+}
+
 missing_browser() {
   [ -z "${PARTWISE_REQUIRE_BROWSER:-}" ] || { echo "$1, and PARTWISE_REQUIRE_BROWSER is set"; return 1; }
   skip "$1"

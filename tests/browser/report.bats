@@ -1,4 +1,5 @@
-# The report's pages in headless Chromium: a small pair with two parts, an incomplete one, a batch.
+# The report's pages in headless Chromium: a small pair with two parts, an incomplete one, a batch; and the pair's
+# animation in three.js.
 load browser.bash
 load ../pipelines/pipelines.bash
 
@@ -29,6 +30,13 @@ setup() {
 @test "a finished pair" {
   make_page batch/a-b batch/a-b/report.html
   browser_test finished-pair.cjs "$PWD/batch/a-b/report.html" "$PWD/batch/a-b/measure.json"
+}
+
+@test "an animation in three.js" {
+  "$PARTWISE_BIN/morph" batch/a-b/compatible.ply --frames 4 --seconds 3 --force -o morph.glb
+  "$PARTWISE_BIN/morph" batch/a-b/compatible.ply --frames 4 --force -o frames/
+  for frame in frames/*.ply; do "$PARTWISE_BIN/convert-mesh" "$frame" --force -o "${frame%.ply}.off"; done
+  browser_test animation.cjs "$(page_modules)" "$PWD/morph.glb" 3 frames/*.off
 }
 
 @test "an incomplete pair with folds" {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "point_sets.h"
+
 namespace partwise::tests {
 namespace {
 
@@ -30,12 +32,6 @@ class Lattice {
   Points points_;
   Facets facets_;
 };
-
-Points mapped(const TriMesh& mesh, auto&& function) {
-  Points points;
-  for (const Vec3& point : mesh.points()) points.push_back(function(point));
-  return points;
-}
 
 TriMesh octahedron(int n) {
   Lattice lattice;
@@ -99,12 +95,13 @@ TriMesh cube(int n) {
 
 TriMesh sphere(int n) {
   const TriMesh octahedral = octahedron(n);
-  return octahedral.with_points(mapped(octahedral, [](const Vec3& p) -> Vec3 { return p.normalized(); }));
+  return octahedral.with_points(
+      mapped(octahedral.points(), [](const Vec3& p) -> Vec3 { return p.normalized(); }));
 }
 
 TriMesh bumpy_sphere(int n, double height) {
   const TriMesh round = sphere(n);
-  return round.with_points(mapped(round, [&](const Vec3& p) -> Vec3 {
+  return round.with_points(mapped(round.points(), [&](const Vec3& p) -> Vec3 {
     double radius = 1;
     for (int axis = 0; axis < 3; ++axis) {
       for (const double side : {-1.0, 1.0}) {
@@ -131,7 +128,7 @@ Points bump_directions() {
 TriMesh many_bumps(int n, double height) {
   const TriMesh round = sphere(n);
   const Points tips = bump_directions();
-  return round.with_points(mapped(round, [&](const Vec3& p) -> Vec3 {
+  return round.with_points(mapped(round.points(), [&](const Vec3& p) -> Vec3 {
     double radius = 1;
     for (const Vec3& tip : tips) {
       radius += height * std::exp(-std::pow(std::acos(std::clamp(p.dot(tip), -1.0, 1.0)) / 0.1, 2));

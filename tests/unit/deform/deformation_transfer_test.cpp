@@ -10,23 +10,14 @@
 #include "deform/rotation_logarithms.h"
 #include "error.h"
 #include "measure/inverted_facets.h"
+#include "point_sets.h"
 #include "remeshing/reconstruct.h"
 
 namespace partwise {
 namespace {
 
-template <class Function>
-Points mapped(const Points& points, Function f) {
-  Points result;
-  for (const Vec3& point : points) result.push_back(f(point));
-  return result;
-}
-
-double largest_difference(const Points& a, const Points& b) {
-  double largest = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
-  return largest;
-}
+using tests::largest_distance;
+using tests::mapped;
 
 FacetCorrespondence identical(const TriMesh& mesh) {
   FacetCorrespondence correspondence;
@@ -53,8 +44,8 @@ TEST(DeformationTransfer, ToItselfIsThePose) {
   });
   const Points second = bent(mesh.points(), 0.4);
   const auto followed = DeformationTransfer(mesh, mesh, identical(mesh)).follow({pose, second});
-  EXPECT_LT(largest_difference(followed[0], pose), 1e-12);
-  EXPECT_LT(largest_difference(followed[1], second), 1e-12);
+  EXPECT_LT(largest_distance(followed[0], pose), 1e-12);
+  EXPECT_LT(largest_distance(followed[1], second), 1e-12);
 }
 
 TEST(DeformationTransfer, TheFollowerDeformsAsTheLeader) {
@@ -71,9 +62,8 @@ TEST(DeformationTransfer, TheFollowerDeformsAsTheLeader) {
   Vec3 offset = Vec3::Zero();
   for (std::size_t v = 0; v < expected.size(); ++v)
     offset += (expected[v] - followed[0][v]) / expected.size();
-  EXPECT_LT(
-      largest_difference(mapped(followed[0], [&](const Vec3& p) { return Vec3(p + offset); }), expected),
-      0.2);
+  EXPECT_LT(largest_distance(mapped(followed[0], [&](const Vec3& p) { return Vec3(p + offset); }), expected),
+            0.2);
 }
 
 TEST(DeformationTransfer, RigidPosesAreFollowedRigidlyAtTheFollowersScale) {
@@ -87,7 +77,7 @@ TEST(DeformationTransfer, RigidPosesAreFollowedRigidlyAtTheFollowersScale) {
   const Points expected = mapped(follower.points(), [&](const Vec3& p) {
     return Vec3(turn * (p - Vec3(50, 0, 0)) + Vec3(50, scale, 0));
   });
-  EXPECT_LT(largest_difference(followed[0], expected), 1e-9);
+  EXPECT_LT(largest_distance(followed[0], expected), 1e-9);
 }
 
 TEST(DeformationTransfer, WhatGrowsMakesGrowWhateverTheFacetsDirections) {
@@ -103,9 +93,8 @@ TEST(DeformationTransfer, WhatGrowsMakesGrowWhateverTheFacetsDirections) {
   const Points expected = twice(follower.points());
   for (std::size_t v = 0; v < expected.size(); ++v)
     offset += (expected[v] - followed[0][v]) / expected.size();
-  EXPECT_LT(
-      largest_difference(mapped(followed[0], [&](const Vec3& p) { return Vec3(p + offset); }), expected),
-      1e-9);
+  EXPECT_LT(largest_distance(mapped(followed[0], [&](const Vec3& p) { return Vec3(p + offset); }), expected),
+            1e-9);
 }
 
 TEST(DeformationTransfer, TurnedModelsAreNoticedAndServed) {
@@ -118,7 +107,7 @@ TEST(DeformationTransfer, TurnedModelsAreNoticedAndServed) {
   const Points pose = bent(leader.points(), 0.1);
   const DeformationTransfer transfer(leader, follower, identical(leader), {.turn = true});
   EXPECT_NEAR(transfer.turned_by(), 90, 1e-6);
-  EXPECT_LT(largest_difference(transfer.follow({pose})[0], turned(pose)), 1e-9);
+  EXPECT_LT(largest_distance(transfer.follow({pose})[0], turned(pose)), 1e-9);
 }
 
 TEST(DeformationTransfer, FacetsWithoutAreaInAPoseDoNoHarm) {
@@ -127,7 +116,7 @@ TEST(DeformationTransfer, FacetsWithoutAreaInAPoseDoNoHarm) {
   const Facet flat = mesh.facet(40);
   pose[flat[0]] = 0.5 * (pose[flat[1]] + pose[flat[2]]);
   const auto followed = DeformationTransfer(mesh, mesh, identical(mesh)).follow({pose});
-  EXPECT_LT(largest_difference(followed[0], pose), 0.3);
+  EXPECT_LT(largest_distance(followed[0], pose), 0.3);
 }
 
 TEST(DeformationTransfer, RefusesAPoseOfAnotherMesh) {

@@ -11,24 +11,15 @@
 #include "error.h"
 #include "measure/inverted_facets.h"
 #include "mesh/part.h"
+#include "point_sets.h"
 
 namespace partwise {
 namespace {
 
+using tests::largest_distance;
+using tests::mapped;
+
 constexpr double kPi = std::numbers::pi;
-
-template <class Function>
-Points mapped(const Points& points, Function f) {
-  Points result;
-  for (const Vec3& point : points) result.push_back(f(point));
-  return result;
-}
-
-double largest_difference(const Points& a, const Points& b) {
-  double largest = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
-  return largest;
-}
 
 double volume(const TriMesh& mesh) {
   double six_times = 0;
@@ -67,9 +58,9 @@ TEST(ShapeBlend, AModelAloneIsThatModel) {
   const Points third = tests::sphere(8).points();
   const ShapeBlend blend(first, {second, third});
   const auto frames = blend.frames({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  EXPECT_LT(largest_difference(frames[0], first.points()), 1e-12);
-  EXPECT_LT(largest_difference(frames[1], second), 1e-12);
-  EXPECT_LT(largest_difference(frames[2], third), 1e-12);
+  EXPECT_LT(largest_distance(frames[0], first.points()), 1e-12);
+  EXPECT_LT(largest_distance(frames[1], second), 1e-12);
+  EXPECT_LT(largest_distance(frames[2], third), 1e-12);
 }
 
 TEST(ShapeBlend, RigidMotionsStayRigid) {
@@ -82,9 +73,9 @@ TEST(ShapeBlend, RigidMotionsStayRigid) {
   };
   const ShapeBlend blend(first, {moved(1)});
   const auto frames = blend.frames({{0.75, 0.25}, {0.5, 0.5}, {-0.5, 1.5}});
-  EXPECT_LT(largest_difference(frames[0], moved(0.25)), 1e-9);
-  EXPECT_LT(largest_difference(frames[1], moved(0.5)), 1e-9);
-  EXPECT_LT(largest_difference(frames[2], moved(1.5)), 1e-9);
+  EXPECT_LT(largest_distance(frames[0], moved(0.25)), 1e-9);
+  EXPECT_LT(largest_distance(frames[1], moved(0.5)), 1e-9);
+  EXPECT_LT(largest_distance(frames[2], moved(1.5)), 1e-9);
 }
 
 TEST(ShapeBlend, ASwungLimbKeepsItsVolume) {
@@ -127,7 +118,7 @@ TEST(ShapeBlend, FollowsSimilarities) {
   const Points plain = ShapeBlend(first, {second}).frames({{0.3, 0.7}})[0];
   const Points after =
       ShapeBlend(first.with_points(moved(first.points())), {moved(second)}).frames({{0.3, 0.7}})[0];
-  EXPECT_LT(largest_difference(after, moved(plain)), 1e-7);
+  EXPECT_LT(largest_distance(after, moved(plain)), 1e-7);
 }
 
 TEST(ShapeBlend, ComponentsGoTheirOwnWays) {
@@ -140,7 +131,7 @@ TEST(ShapeBlend, ComponentsGoTheirOwnWays) {
     });
   };
   const Points half = ShapeBlend(first, {moved(1)}).frames({{0.5, 0.5}})[0];
-  EXPECT_LT(largest_difference(half, moved(0.5)), 1e-9);
+  EXPECT_LT(largest_distance(half, moved(0.5)), 1e-9);
 }
 
 TEST(ShapeBlend, FacetsWithoutAreaDoNoHarm) {
@@ -149,11 +140,11 @@ TEST(ShapeBlend, FacetsWithoutAreaDoNoHarm) {
   const Facet flat = first.facet(40);
   second[flat[0]] = 0.5 * (second[flat[1]] + second[flat[2]]);
   const auto frames = ShapeBlend(first, {second}).frames({{1, 0}, {0.5, 0.5}, {0, 1}});
-  EXPECT_LT(largest_difference(frames[0], first.points()), 1e-12);
-  EXPECT_LT(largest_difference(frames[2], second), 1e-12);
-  EXPECT_LT(largest_difference(frames[1], first.points()), 0.2);
+  EXPECT_LT(largest_distance(frames[0], first.points()), 1e-12);
+  EXPECT_LT(largest_distance(frames[2], second), 1e-12);
+  EXPECT_LT(largest_distance(frames[1], first.points()), 0.2);
   const auto back = ShapeBlend(first.with_points(second), {first.points()}).frames({{0, 1}});
-  EXPECT_LT(largest_difference(back[0], first.points()), 1e-12);
+  EXPECT_LT(largest_distance(back[0], first.points()), 1e-12);
 }
 
 TEST(ShapeBlend, SumsOtherThanOneScale) {
@@ -161,7 +152,7 @@ TEST(ShapeBlend, SumsOtherThanOneScale) {
   const Points second = tests::sphere(5).points();
   for (const BlendMethod method : {BlendMethod::rotations, BlendMethod::linear}) {
     const auto frames = ShapeBlend(first, {second}, method).frames({{0.5, 0.5}, {1, 1}});
-    EXPECT_LT(largest_difference(frames[1], mapped(frames[0], [](const Vec3& p) { return Vec3(2 * p); })),
+    EXPECT_LT(largest_distance(frames[1], mapped(frames[0], [](const Vec3& p) { return Vec3(2 * p); })),
               1e-12);
   }
 }
@@ -192,7 +183,7 @@ TEST(AlignedModel, UndoesASimilarity) {
   const Points moved = mapped(first.points(), [](const Vec3& p) {
     return Vec3(7 * (rotation_exponential(Vec3(1, 2, -1)) * p) + Vec3(3, 0, 9));
   });
-  EXPECT_LT(largest_difference(aligned_model(moved, first.points(), first.facets()), first.points()), 1e-12);
+  EXPECT_LT(largest_distance(aligned_model(moved, first.points(), first.facets()), first.points()), 1e-12);
   EXPECT_NEAR(surface_area(moved, first.facets()), 49 * surface_area(first.points(), first.facets()), 1e-9);
 }
 

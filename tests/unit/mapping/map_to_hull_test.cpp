@@ -12,9 +12,12 @@
 #include "geometry/surface_index.h"
 #include "mapping/build_hulls.h"
 #include "mapping/split_chords.h"
+#include "point_sets.h"
 
 namespace partwise {
 namespace {
+
+using tests::largest_distance;
 
 constexpr HullMapMethod kMethods[] = {HullMapMethod::progressive, HullMapMethod::lifted,
                                       HullMapMethod::energy};
@@ -45,12 +48,6 @@ TriMesh irregular() {
   for (Vec3& p : points)
     p *= 1 + 0.03 * std::sin(5 * p.x() + 1) + 0.04 * std::sin(3 * p.y() + 2) + 0.02 * std::sin(7 * p.z());
   return mesh.with_points(points);
-}
-
-double largest_distance(const Points& a, const Points& b) {
-  double largest = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
-  return largest;
 }
 
 void expect_on_hull(const HulledModel& hulled, const MappedToHull& result) {

@@ -8,21 +8,18 @@
 #include "convex_pairs.h"
 #include "error.h"
 #include "geometry/surface_index.h"
+#include "point_sets.h"
 
 namespace partwise {
 namespace {
 
-double largest_difference(const Points& a, const Points& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
-  return largest;
-}
+using tests::largest_distance;
 
 TEST(Reconstruct, OntoItselfIsTheModel) {
   for (const TriMesh& mesh : {tests::cube(4), tests::sphere(6), tests::bumpy_sphere(8, 0.3)}) {
     for (const SegmentedModel& model : {tests::whole(mesh), tests::halves(mesh)}) {
       const Reconstruction result = reconstruct(tests::projected_pair(model, model));
-      EXPECT_LT(largest_difference(result.mesh.points, mesh.points()), 1e-12);
+      EXPECT_LT(largest_distance(result.mesh.points, mesh.points()), 1e-12);
       EXPECT_EQ(result.metrics.ambiguous, 0);
       EXPECT_LT(result.metrics.boundary_gap_max, 1e-12);
       EXPECT_EQ(result.mesh.source_labels, model.segmentation.labels);
@@ -38,7 +35,7 @@ TEST(Reconstruct, OfASimilarModelIsTheSimilarity) {
   CrossMap map = tests::projected_pair(target, target);
   map.source = source;
   map.source_parts = {extract_part(source, 0)};
-  EXPECT_LT(largest_difference(reconstruct(map).mesh.points, moved), 1e-10);
+  EXPECT_LT(largest_distance(reconstruct(map).mesh.points, moved), 1e-10);
 }
 
 TEST(Reconstruct, PutsEveryVertexExactlyOnTheTarget) {
@@ -96,7 +93,7 @@ TEST(Reconstruct, AveragesAgree) {
       tests::projected_pair(tests::whole(tests::cube(5)), tests::whole(tests::bumpy_sphere(8, 0.2)));
   const Reconstruction hull = reconstruct(map, {.coordinates = Coordinates::convex_hull});
   const Reconstruction mean = reconstruct(map, {.coordinates = Coordinates::mean_value});
-  EXPECT_LT(largest_difference(hull.mesh.points, mean.mesh.points), 1e-9);
+  EXPECT_LT(largest_distance(hull.mesh.points, mean.mesh.points), 1e-9);
   EXPECT_GT(hull.metrics.largest_projection, 0);
   EXPECT_LT(hull.metrics.largest_projection, 0.03);
 }
@@ -111,7 +108,7 @@ TEST(Reconstruct, OfAFoldedTargetStaysNearTheNeighbours) {
   images[folded] = (images[folded] + 2.5 * (images[ring.begin()->idx()] - images[folded])).normalized();
   const Reconstruction result = reconstruct(map);
   EXPECT_GT(result.metrics.ambiguous, 0);
-  EXPECT_LT(largest_difference(result.mesh.points, model.mesh.points()), 0.3);
+  EXPECT_LT(largest_distance(result.mesh.points, model.mesh.points()), 0.3);
 }
 
 TEST(Reconstruct, HitsMarkersThatHullToHullPutInPlace) {

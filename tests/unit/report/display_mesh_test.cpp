@@ -1,5 +1,3 @@
-#include "report/display_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "builders.h"
 #include "geometry/normals.h"
 #include "mesh/segmentation.h"
+#include "report/display_meshes.h"
 
 namespace partwise::report {
 namespace {
@@ -76,6 +75,20 @@ TEST(DisplayMesh, KeepsTheBoundaryOfOpenMeshes) {
   for (const double a : facet_areas(shown.points(), shown.facets())) area += a;
   EXPECT_NEAR(area, 4, 1e-9);
   EXPECT_LT(shown.facet_count(), mesh.facet_count() / 2);
+}
+
+TEST(DisplayMeshes, DecimateEachModelOnce) {
+  const TriMesh mesh = tests::bumpy_sphere(12, 0.3), other = tests::sphere(12);
+  const std::vector<int> labels = halves(mesh);
+  DisplayMeshes displays(500);
+  const DisplayMesh& first = displays.of(mesh, labels);
+  EXPECT_EQ(first.facets, display_mesh(mesh, labels, 500).facets);
+  EXPECT_EQ(displays.of(other, labels).facets, display_mesh(other, labels, 500).facets);
+  EXPECT_EQ(displays.of(mesh, std::vector<int>(labels.size(), 0)).facets,
+            display_mesh(mesh, std::vector<int>(labels.size(), 0), 500).facets);
+  EXPECT_EQ(displays.size(), 3U);
+  EXPECT_EQ(&displays.of(tests::bumpy_sphere(12, 0.3), labels), &first);
+  EXPECT_EQ(displays.size(), 3U);
 }
 
 }  // namespace
