@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/submesh.h"
+
 namespace partwise {
 namespace {
 
@@ -34,27 +36,10 @@ std::vector<std::vector<int>> boundary_loops(const TriMesh& mesh) {
 }  // namespace
 
 Part extract_piece(const TriMesh& mesh, const std::vector<bool>& inside) {
-  std::vector<int> local(mesh.vertex_count(), -1);
-  std::vector<int> model_vertex, model_facet;
-  for (int f = 0; f < mesh.facet_count(); ++f) {
-    if (!inside[f]) continue;
-    model_facet.push_back(f);
-    for (const int v : mesh.facet(f)) local[v] = 0;
-  }
-  Points points;
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (local[v] < 0) continue;
-    local[v] = static_cast<int>(points.size());
-    model_vertex.push_back(v);
-    points.push_back(mesh.point(v));
-  }
-  Facets facets;
-  for (const int f : model_facet) {
-    const Facet& facet = mesh.facet(f);
-    facets.push_back({local[facet[0]], local[facet[1]], local[facet[2]]});
-  }
-
-  std::vector<std::vector<int>> loops = boundary_loops(TriMesh(points, facets));
+  Submesh open = extract_submesh(mesh, inside);
+  Points points = open.mesh.points();
+  Facets facets = open.mesh.facets();
+  std::vector<std::vector<int>> loops = boundary_loops(open.mesh);
   std::vector<int> cap_vertices;
   for (const std::vector<int>& loop : loops) {
     const int centre = static_cast<int>(points.size());
@@ -62,24 +47,22 @@ Part extract_piece(const TriMesh& mesh, const std::vector<bool>& inside) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       centroid += points[loop[i]] / static_cast<double>(loop.size());
       facets.push_back({loop[(i + 1) % loop.size()], loop[i], centre});
-      model_facet.push_back(-1);
+      open.model_facet.push_back(-1);
     }
     points.push_back(centroid);
-    model_vertex.push_back(-1);
+    open.model_vertex.push_back(-1);
     cap_vertices.push_back(centre);
   }
   return {-1,
           TriMesh(std::move(points), std::move(facets)),
-          std::move(model_vertex),
-          std::move(model_facet),
+          std::move(open.model_vertex),
+          std::move(open.model_facet),
           std::move(loops),
           std::move(cap_vertices)};
 }
 
 Part extract_part(const SegmentedModel& model, int part) {
-  std::vector<bool> inside;
-  for (const int label : model.segmentation.labels) inside.push_back(label == part);
-  Part result = extract_piece(model.mesh, inside);
+  Part result = extract_piece(model.mesh, facets_labelled(model.segmentation.labels, part));
   result.index = part;
   return result;
 }

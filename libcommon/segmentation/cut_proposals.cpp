@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "error.h"
+#include "mesh/submesh.h"
 #include "segmentation/cut_search.h"
-#include "segmentation/part_surface.h"
 #include "segmentation/segmenter.h"
 
 namespace partwise {
@@ -223,7 +223,7 @@ bool helps(const SegmentedMesh& cut, double diagonal, const Concavity& before) {
   return sum / count < before.mean;
 }
 
-CutProposal to_model(const TriMesh& mesh, int part, const PartSurface& surface, const SegmentedMesh& cut,
+CutProposal to_model(const TriMesh& mesh, int part, const Submesh& surface, const SegmentedMesh& cut,
                      const Sketch& strokes) {
   CutProposal proposal{part, {}, {}, std::vector<int>(mesh.facet_count(), -1)};
   const double scale = surface.mesh.diagonal() / mesh.diagonal();
@@ -252,7 +252,7 @@ CutProposal to_model(const TriMesh& mesh, int part, const PartSurface& surface, 
 /// Of one part; none when no cut helps.
 std::optional<CutProposal> propose_cut(const TriMesh& mesh, const std::vector<int>& labels, int part,
                                        const Concavity& before, double tau) {
-  const PartSurface surface = part_surface(mesh, labels, part);
+  const Submesh surface = extract_submesh(mesh, facets_labelled(labels, part));
   const PatchGraph graph = patch_graph(surface.mesh, kPatches);
   const double goal = std::min(tau, kGoal * before.largest) * mesh.diagonal();
   std::optional<Segmenter> segmenter;

@@ -1,14 +1,14 @@
-#include "segmentation/part_surface.h"
+#include "mesh/submesh.h"
 
 #include <utility>
 
 namespace partwise {
 
-PartSurface part_surface(const TriMesh& mesh, const std::vector<int>& labels, int part) {
+Submesh extract_submesh(const TriMesh& mesh, const std::vector<bool>& inside) {
   std::vector<int> local(mesh.vertex_count(), -1);
   std::vector<int> model_vertex, model_facet;
   for (int f = 0; f < mesh.facet_count(); ++f) {
-    if (labels[f] != part) continue;
+    if (!inside[f]) continue;
     model_facet.push_back(f);
     for (const int v : mesh.facet(f)) local[v] = 0;
   }
@@ -26,6 +26,13 @@ PartSurface part_surface(const TriMesh& mesh, const std::vector<int>& labels, in
     facets.push_back({local[a], local[b], local[c]});
   }
   return {TriMesh(std::move(points), std::move(facets)), std::move(model_vertex), std::move(model_facet)};
+}
+
+std::vector<bool> facets_labelled(const std::vector<int>& labels, int label) {
+  std::vector<bool> inside;
+  inside.reserve(labels.size());
+  for (const int l : labels) inside.push_back(l == label);
+  return inside;
 }
 
 }  // namespace partwise
