@@ -1,35 +1,18 @@
 #include <algorithm>
-#include <cstring>
 #include <iomanip>
 #include <sstream>
 
-#include "cli/command.h"
 #include "error.h"
 #include "io/segment_facts.h"
 #include "io/sketch.h"
 #include "io/stage_documents.h"
-#include "segmentation/compatibility.h"
+#include "segment/modes.h"
 #include "segmentation/cut_sketch.h"
 #include "segmentation/segment_mesh.h"
-#include "segmentation/suggest_sketch.h"
 #include "segmentation/transfer_labels.h"
 
+namespace partwise::segment {
 namespace {
-
-using namespace partwise;
-
-constexpr const char* kSynopsis = "Cut a mesh into the parts of a sketch, or check that segmentations match.";
-constexpr const char* kExample =
-    "segment cat.ply --sketch cat.sketch.json -o cat.segment.ply\n"
-    "  segment cat-02.ply --labels-from cat.segment.ply -o cat-02.segment.ply\n"
-    "  segment dog.ply --auto 7 -o dog.sketch.json\n"
-    "  segment dog.ply --sketch dog.sketch.json --propose-cuts finer.sketch.json -o dog.segment.ply\n"
-    "  segment --check cat.segment.ply lion.segment.ply";
-
-void write_sketch(const cli::Command& command, const std::string& path, const Sketch& sketch,
-                  const std::string& comment) {
-  command.write_text(path, io::to_json(sketch, comment).dump(1) + "\n");
-}
 
 io::Document document_of(const SegmentedMesh& segmented) {
   io::Document document = io::to_document(segmented.model);
@@ -87,8 +70,9 @@ void take_over(cli::Command& command, const io::Document& document, const std::s
   command.write(document_of(result.segmented), {&document}, metrics);
 }
 
-int cut(int argc, char** argv) {
-  cli::Command command("segment", kSynopsis, kExample);
+}  // namespace
+
+int cut(cli::Command& command, int argc, char** argv) {
   const std::string& input = command.input("mesh", "Mesh document");
   command.output();
   TransferOptions transfer;
@@ -178,63 +162,4 @@ int cut(int argc, char** argv) {
   });
 }
 
-int check(int argc, char** argv) {
-  cli::Command command("segment", kSynopsis, kExample);
-  std::vector<std::string> paths;
-  command.options()
-      .add_option("--check", paths, "Segment documents; each is compared with the first")
-      ->type_name("FILE")
-      ->expected(2, 1'000'000);
-  return command.run(argc, argv, [&] {
-    const SegmentedModel first = io::read_segmented_model(command.read(paths[0], {"segment"}));
-    std::string text;
-    for (std::size_t i = 1; i < paths.size(); ++i) {
-      const SegmentedModel other = io::read_segmented_model(command.read(paths[i], {"segment"}));
-      const std::string where = paths[0] + " and " + paths[i] + ": ";
-      for (const std::string& difference : compare_segmentations(first, other)) {
-        text += (text.empty() ? "" : "\nsegment: ") + where + difference;
-      }
-      for (const std::string& sentence : misplaced_markers(first, other)) command.warn(where + sentence);
-    }
-    if (!text.empty()) throw InputError(text + "; change the sketches until the parts match");
-  });
-}
-
-int suggest(int argc, char** argv) {
-  cli::Command command("segment", kSynopsis, kExample);
-  const std::string& input = command.input("mesh", "Mesh document");
-  const std::string& output =
-      command.output_file("Where to write the sketch, X.sketch.json; - is standard output");
-  int part_count = 0;
-  command.options()
-      .add_option("--auto", part_count, "Number of parts to suggest, the core included")
-      ->required()
-      ->check(CLI::Range(2, 100));
-  return command.run(argc, argv, [&] {
-    const TriMesh mesh = command.about(input, [&] { return io::read_mesh(command.read(input, {"mesh"})); });
-    const Sketch sketch = command.about(input, [&] {
-      Sketch suggestion = suggest_sketch(mesh, part_count);
-      segment_mesh(mesh, suggestion, {});  // throws when the suggestion is of no use
-      return suggestion;
-    });
-    write_sketch(command, output, sketch, "a suggestion by segment --auto: to be looked at and corrected");
-    command.warn(
-        "these parts are a suggestion from far ends of the shape, not a decision: look at them, rename them "
-        "as "
-        "on the other model, correct the strokes, then segment with --sketch");
-  });
-}
-
-bool asks_for(const char* option, int argc, char** argv) {
-  const std::size_t length = std::strlen(option);
-  return std::any_of(argv, argv + argc, [&](const char* word) {
-    return std::strncmp(word, option, length) == 0 && (word[length] == 0 || word[length] == '=');
-  });
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (asks_for("--check", argc, argv)) return check(argc, argv);
-  return asks_for("--auto", argc, argv) ? suggest(argc, argv) : cut(argc, argv);
-}
+}  // namespace partwise::segment
