@@ -1,0 +1,144 @@
+#include "sketching/requests.h"
+
+#include <openssl/crypto.h>
+#include <openssl/rand.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "error.h"
+
+namespace partwise::sketching {
+namespace {
+
+using io::Json;
+
+Answer json(const Json& value) {
+  return {200, "application/json", value.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+Answer octets(std::string body) {
+  return {200, "application/octet-stream", std::move(body)};
+}
+
+Answer refusal(int status, const std::string& sentence) {
+  Answer answer = json({{"error", sentence}});
+  answer.status = status;
+  return answer;
+}
+
+Answer not_found() {
+  return refusal(404, "there is nothing at this address");
+}
+
+Answer wrong_method() {
+  return refusal(405, "this address does not know that method");
+}
+
+bool changes_something(const std::string& method) {
+  return method != "GET" && method != "HEAD";
+}
+
+// In a time that does not tell how much was right.
+bool equal_secrets(const std::string& a, const std::string& b) {
+  return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+}  // namespace
+
+Requests::Requests(std::string token, std::string page, std::vector<std::unique_ptr<SketchedModel>> models,
+                   std::unique_ptr<PipelineRun> run)
+    : token_(std::move(token)), page_(std::move(page)), models_(std::move(models)), run_(std::move(run)) {}
+
+Answer Requests::answer(const Request& request) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (std::find(hosts_.begin(), hosts_.end(), request.host) == hosts_.end()) {
+    return refusal(403, "this host is not the server's");
+  }
+  const std::size_t end = request.path.find('/', 1);
+  if (request.path.empty() || request.path[0] != '/' || end == std::string::npos ||
+      !equal_secrets(request.path.substr(1, end - 1), token_)) {
+    return refusal(403, "the address must begin with the token that sketch printed");
+  }
+  if (!request.origin.empty() && request.origin != "http://" + request.host) {
+    return refusal(403, "requests of other pages are not answered");
+  }
+  if (changes_something(request.method)) {
+    if (request.origin.empty()) return refusal(403, "changes must name their origin");
+    if (request.content_type.substr(0, request.content_type.find(';')) != "application/json") {
+      return refusal(415, "changes must be application/json");
+    }
+  }
+  Request inner = request;
+  inner.path = request.path.substr(end + 1);
+  try {
+    return routed(inner);
+  } catch (const InputError& error) {
+    return refusal(400, error.what());
+  } catch (const std::exception& error) {
+    return refusal(500, error.what());
+  }
+}
+
+Answer Requests::routed(const Request& request) {
+  const std::string& path = request.path;
+  if (path.rfind("run", 0) == 0) return of_run(request, path.substr(3));
+  for (std::size_t i = 0; i < models_.size(); ++i) {
+    const std::string prefix = "models/" + std::to_string(i) + "/";
+    if (path.rfind(prefix, 0) == 0) return of_model(request, *models_[i], path.substr(prefix.size()));
+  }
+  if (!path.empty() && path != "models" && path != "check") return not_found();
+  if (changes_something(request.method)) return wrong_method();
+  if (path.empty()) return {200, "text/html; charset=utf-8", page_};
+  if (path == "check") {
+    return json(models_.size() == 2 ? compare(*models_[0], *models_[1])
+                                    : Json{{"problem", "there is one model only"}});
+  }
+  Json facts = Json::array();
+  for (const auto& model : models_) facts.push_back(model->facts());
+  return json({{"models", facts}});
+}
+
+Answer Requests::of_model(const Request& request, SketchedModel& model, const std::string& what) {
+  if (what == "sketch" && request.method == "PUT") {
+    model.put(request.body);
+    return json(model.result());
+  }
+  if (what != "sketch" && what != "result" && what != "mesh") return not_found();
+  if (changes_something(request.method)) return wrong_method();
+  if (what == "mesh") return octets(model.geometry());
+  return json(what == "sketch" ? model.sketch() : model.result());
+}
+
+Answer Requests::of_run(const Request& request, const std::string& what) {
+  if (!run_) return refusal(404, "the pipeline needs two models");
+  if (what.empty()) {
+    if (request.method == "POST") {
+      for (const auto& model : models_) {
+        if (!model->has_saved_sketch()) model->put(model->sketch().dump());
+      }
+      run_->start();
+    } else if (request.method == "DELETE") {
+      run_->cancel();
+    } else if (changes_something(request.method)) {
+      return wrong_method();
+    }
+    return json(run_->state());
+  }
+  if (what != "/mesh" && what != "/measure") return not_found();
+  if (changes_something(request.method)) return wrong_method();
+  if (what == "/measure") return json(run_->measure());
+  return octets(models_[1]->normalized(run_->compatible_points()));
+}
+
+std::string random_token(int octets) {
+  std::vector<unsigned char> random(octets);
+  if (RAND_bytes(random.data(), octets) != 1) throw IoError("the operating system gives no random numbers");
+  std::string token;
+  for (const unsigned char octet : random) {
+    for (const int digit : {octet >> 4, octet & 15}) token.push_back("0123456789abcdef"[digit]);
+  }
+  return token;
+}
+
+}  // namespace partwise::sketching

@@ -1,0 +1,261 @@
+#include "sketching/sketched_model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <utility>
+
+#include "error.h"
+#include "io/pending_file.h"
+#include "io/sketch.h"
+#include "report/page_arrays.h"
+#include "segmentation/compatibility.h"
+
+namespace partwise::sketching {
+namespace {
+
+using io::Json;
+
+constexpr int kLargestWithCuts = 50'000;  // facets: beyond, looking for cuts keeps a person waiting
+
+SegmentationOptions options_for(const TriMesh& mesh) {
+  SegmentationOptions options;
+  options.propose_anchors = true;
+  options.propose_cuts = mesh.facet_count() <= kLargestWithCuts;
+  return options;
+}
+
+Vec3 box_center(const Points& points) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : points) box.extend(p);
+  return box.center();
+}
+
+/// What of a sketch can be cut: parts that have strokes, and anchors between those.
+Sketch drawn(const Sketch& sketch) {
+  Sketch result = sketch;
+  std::set<std::string> names;
+  std::erase_if(result.parts, [](const SketchedPart& part) { return part.strokes.empty(); });
+  for (const SketchedPart& part : result.parts) names.insert(part.name);
+  std::erase_if(result.anchors, [&](const SketchedAnchor& anchor) {
+    return !names.contains(anchor.between[0]) || !names.contains(anchor.between[1]);
+  });
+  return result;
+}
+
+Json names_of(const Segmentation& segmentation, int left, int right) {
+  const auto name = [&](int part) { return part == kOutside ? Json() : Json(segmentation.names[part]); };
+  return {name(left), name(right)};
+}
+
+Json curve_facts(const Segmentation& segmentation) {
+  Json curves = Json::array();
+  for (const BoundaryCurve& curve : segmentation.curves) {
+    curves.push_back({{"parts", names_of(segmentation, curve.left, curve.right)},
+                      {"closed", curve.closed},
+                      {"vertices", curve.vertices}});
+  }
+  return curves;
+}
+
+Json part_facts(const SegmentedModel& model, double tau) {
+  std::vector<int> facets(model.segmentation.part_count(), 0);
+  for (const int label : model.segmentation.labels) ++facets[label];
+  Json parts = Json::array();
+  for (int k = 0; k < model.segmentation.part_count(); ++k) {
+    const Concavity& concavity = model.concavity[k];
+    parts.push_back({{"name", model.segmentation.names[k]},
+                     {"facets", facets[k]},
+                     {"concavity", concavity.largest},
+                     {"deepest", concavity.vertex < 0 ? Json() : Json(concavity.vertex)},
+                     {"hint", concavity.largest > tau}});
+  }
+  return parts;
+}
+
+Json marker_facts(const std::vector<Marker>& markers) {
+  Json facts = Json::array();
+  for (const auto& [name, point] : markers) {
+    const Vec3& b = point.barycentric;
+    facts.push_back({{"name", name}, {"face", point.facet}, {"barycentric", {b[0], b[1], b[2]}}});
+  }
+  return facts;
+}
+
+Json anchor_facts(const SegmentedModel& model, bool proposed) {
+  Json facts = Json::array();
+  for (const Anchor& anchor : model.anchors) {
+    if (anchor.proposed != proposed) continue;
+    facts.push_back({{"name", anchor.name},
+                     {"between", names_of(model.segmentation, anchor.part_a, anchor.part_b)},
+                     {"vertex", anchor.vertex}});
+  }
+  return facts;
+}
+
+Json cut_facts(const SegmentedMesh& segmented) {
+  Json cuts = Json::array();
+  for (const CutProposal& proposal : segmented.cuts) {
+    Json curves = Json::array();
+    for (const BoundaryCurve& curve : proposal.curves) {
+      curves.push_back({{"closed", curve.closed}, {"vertices", curve.vertices}});
+    }
+    cuts.push_back({{"part", segmented.model.segmentation.names[proposal.part]}, {"curves", curves}});
+  }
+  return cuts;
+}
+
+/// One octet per facet: parts are few (InputError beyond 255).
+std::string label_octets(const Segmentation& segmentation) {
+  if (segmentation.part_count() > 255) throw InputError("at most 255 parts can be shown; draw fewer");
+  std::string octets;
+  octets.reserve(segmentation.labels.size());
+  for (const int label : segmentation.labels) octets.push_back(static_cast<char>(label));
+  return octets;
+}
+
+Json facts_of(const SegmentedMesh& segmented, double tau) {
+  const SegmentedModel& model = segmented.model;
+  return {{"labels", report::base64(label_octets(model.segmentation))},
+          {"parts", part_facts(model, tau)},
+          {"curves", curve_facts(model.segmentation)},
+          {"markers", marker_facts(model.markers)},
+          {"anchors", anchor_facts(model, false)},
+          {"proposed_anchors", anchor_facts(model, true)},
+          {"proposed_cuts", cut_facts(segmented)},
+          {"warnings", segmented.warnings}};
+}
+
+Json empty_sketch() {
+  return {{"schema", "partwise/sketch-1"},
+          {"parts", Json::array()},
+          {"markers", Json::array()},
+          {"anchors", Json::array()}};
+}
+
+Json parsed(const std::string& text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw InputError(std::string("this is not JSON: ") + error.what());
+  }
+}
+
+template <class Number>
+void append(std::string& octets, Number value) {
+  const std::size_t at = octets.size();
+  octets.resize(at + sizeof value);
+  std::memcpy(octets.data() + at, &value, sizeof value);
+}
+
+}  // namespace
+
+SketchedModel::SketchedModel(std::string mesh_path, const TriMesh& mesh, std::string sketch_path)
+    : name_(std::filesystem::path(mesh_path).stem().string()),
+      mesh_path_(std::move(mesh_path)),
+      sketch_path_(std::move(sketch_path)),
+      center_(box_center(mesh.points())),
+      segmenter_(mesh, options_for(mesh)),
+      sketch_(empty_sketch()) {
+  Sketch sketch;
+  if (has_saved_sketch()) {
+    sketch = io::read_sketch(sketch_path_);
+    try {
+      require_drawn_for(mesh, sketch);
+    } catch (const InputError& error) {
+      throw InputError(sketch_path_ + ": " + error.what());
+    }
+    std::ifstream in(sketch_path_, std::ios::binary);
+    sketch_ = Json::parse(in);
+    for (const char* list : {"parts", "markers", "anchors"}) {
+      if (!sketch_.contains(list)) sketch_[list] = Json::array();
+    }
+  }
+  segment(sketch);
+}
+
+bool SketchedModel::has_saved_sketch() const {
+  return std::filesystem::exists(sketch_path_);
+}
+
+io::Json SketchedModel::facts() const {
+  const TriMesh& mesh = segmenter_.mesh();
+  const auto file = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  return {{"name", name_},
+          {"file", file(mesh_path_)},
+          {"vertices", mesh.vertex_count()},
+          {"facets", mesh.facet_count()},
+          {"center", {center_[0], center_[1], center_[2]}},
+          {"diagonal", mesh.diagonal()},
+          {"sketch", file(sketch_path_)}};
+}
+
+std::string SketchedModel::normalized(const Points& points) const {
+  std::string octets;
+  octets.reserve(points.size() * 3 * sizeof(float));
+  for (const Vec3& point : points) {
+    const Vec3 p = (point - center_) / segmenter_.mesh().diagonal();
+    for (int i = 0; i < 3; ++i) append(octets, static_cast<float>(p[i]));
+  }
+  return octets;
+}
+
+std::string SketchedModel::geometry() const {
+  std::string octets = normalized(segmenter_.mesh().points());
+  for (const Facet& facet : segmenter_.mesh().facets()) {
+    for (const int v : facet) append(octets, static_cast<std::uint32_t>(v));
+  }
+  return octets;
+}
+
+void SketchedModel::put(const std::string& text) {
+  Json document = parsed(text);
+  if (document.is_object()) {
+    document["mesh"] = {{"vertices", segmenter_.mesh().vertex_count()},
+                        {"faces", segmenter_.mesh().facet_count()}};
+  }
+  const Sketch sketch = io::parse_sketch(document);
+  save(document);
+  sketch_ = std::move(document);
+  segment(sketch);
+}
+
+void SketchedModel::save(const io::Json& document) {
+  if (!changed_ && has_saved_sketch()) {
+    std::error_code error;
+    std::filesystem::copy_file(sketch_path_, sketch_path_ + "~",
+                               std::filesystem::copy_options::overwrite_existing, error);
+    if (error) throw IoError(sketch_path_ + "~: cannot keep the sketch as it was: " + error.message());
+  }
+  io::write_file(sketch_path_, true, [&](std::ostream& out) { out << document.dump(1) << '\n'; });
+  changed_ = true;
+}
+
+void SketchedModel::segment(const Sketch& sketch) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    SegmentedMesh segmented = segmenter_.segment(drawn(sketch));
+    result_ = facts_of(segmented, SegmentationOptions().tau);
+    segmented_ = std::move(segmented.model);
+  } catch (const Error& error) {
+    result_ = {{"problem", error.what()}};
+    segmented_.reset();
+  }
+  result_["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+io::Json compare(const SketchedModel& a, const SketchedModel& b) {
+  for (const SketchedModel* model : {&a, &b}) {
+    if (!model->segmented()) {
+      return {{"problem", model->name() + ": " + model->result().at("problem").get<std::string>()}};
+    }
+  }
+  return {{"differences", compare_segmentations(*a.segmented(), *b.segmented())},
+          {"misplaced", misplaced_markers(*a.segmented(), *b.segmented())}};
+}
+
+}  // namespace partwise::sketching

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/document.h"
+#include "segmentation/segmenter.h"
+
+/// What the tool `sketch` does for a page on which a person draws strokes and picks markers.
+namespace partwise::sketching {
+
+/// A mesh and the file of its sketch, which is saved and cut into parts again after every change.
+class SketchedModel {
+ public:
+  /// \param mesh_path what the mesh was read from; its name is the model's
+  /// \param sketch_path X.sketch.json: read when it exists, written by put()
+  /// \throws InputError, IoError naming `sketch_path` when there is such a file but no sketch for this mesh
+  SketchedModel(std::string mesh_path, const TriMesh& mesh, std::string sketch_path);
+
+  const std::string& name() const { return name_; }
+  const std::string& mesh_path() const { return mesh_path_; }
+  const std::string& sketch_path() const { return sketch_path_; }
+  bool has_saved_sketch() const;
+
+  /// Name, files, counts, `center` and `diagonal` of the bounding box.
+  io::Json facts() const;
+
+  /// Little-endian octets: three 32-bit floats per vertex, (p - center) / diagonal, then three unsigned
+  /// 32-bit integers per facet.
+  std::string geometry() const;
+
+  /// Points of any number near this model in the same form, floats only.
+  std::string normalized(const Points& points) const;
+
+  /// The sketch document as it stands.
+  const io::Json& sketch() const { return sketch_; }
+
+  /// Checks a sketch document, saves it (the file as it was before the first change stays beside it as
+  /// X.sketch.json~), cuts the mesh into its parts.
+  /// \throws InputError when it is no sketch for this mesh, IoError: then nothing has changed
+  void put(const std::string& text);
+
+  /// What the sketch makes of the mesh: parts, labels, boundaries, warnings; or `problem`, a sentence, while
+  /// it does not suffice. Parts without strokes are left out, and anchors at them.
+  const io::Json& result() const { return result_; }
+
+  /// The parts; nothing while there is a problem.
+  const std::optional<SegmentedModel>& segmented() const { return segmented_; }
+
+ private:
+  void save(const io::Json& document);
+  void segment(const Sketch& sketch);
+
+  std::string name_;
+  std::string mesh_path_;
+  std::string sketch_path_;
+  Vec3 center_;
+  Segmenter segmenter_;
+  io::Json sketch_;
+  io::Json result_;
+  std::optional<SegmentedModel> segmented_;
+  bool changed_ = false;
+};
+
+/// Whether the parts of two models correspond (compare_segmentations): `differences` and `misplaced` markers,
+/// a sentence each; or `problem`.
+io::Json compare(const SketchedModel& a, const SketchedModel& b);
+
+}  // namespace partwise::sketching
