@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "energy/foldover_free.h"
+#include "mesh/canonical_order.h"
 #include "solve/facet_hessians.h"
 #include "solve/sparse_cholesky.h"
 
@@ -47,6 +48,7 @@ class Untangling {
   FoldoverFree facet_of(int facet, const std::vector<Place>& places, double epsilon) const;
   double energy_of(const Region& region, const std::vector<Place>& places, double epsilon) const;
   bool newton_step(Region& region);
+  void rank_vertices();
   void keep_best();
   bool done() const { return fewest_ == 0; }
 
@@ -62,6 +64,7 @@ class Untangling {
   const StarSurface& surface_;
   const std::vector<bool>& fixed_;
   std::vector<Place> places_, best_;
+  std::vector<int> rank_;  // per vertex: when it moves in a sweep, by the shape and not by the numbering
   std::vector<int> folded_;
   std::size_t fewest_ = 0;
 };
@@ -92,7 +95,7 @@ std::vector<int> Untangling::free_vertices_around(int rings) const {
     }
   }
   std::erase_if(found, [&](int v) { return !fixed_.empty() && fixed_[v]; });
-  std::sort(found.begin(), found.end());
+  std::sort(found.begin(), found.end(), [&](int v, int w) { return rank_[v] < rank_[w]; });
   return found;
 }
 
@@ -241,6 +244,12 @@ bool Untangling::newton_step(Region& region) {
   return false;
 }
 
+void Untangling::rank_vertices() {
+  const CanonicalOrder order = canonical_order(mesh_);
+  rank_.resize(order.vertices.size());
+  for (std::size_t i = 0; i < order.vertices.size(); ++i) rank_[order.vertices[i]] = static_cast<int>(i);
+}
+
 void Untangling::keep_best() {
   folded_ = folded_facets();
   if (folded_.size() >= fewest_) return;
@@ -250,10 +259,12 @@ void Untangling::keep_best() {
 
 UntangledMap Untangling::run() {
   UntangledMap result;
+  const std::vector<Place> start = places_;
   folded_ = folded_facets();
   result.folds_before = static_cast<int>(folded_.size());
   fewest_ = folded_.size();
   best_ = places_;
+  if (!done()) rank_vertices();
   for (int round = 0; round < kRounds && !done(); ++round) {
     const std::vector<int> vertices = free_vertices_around(2 + round);
     for (int i = 0; i < kSweepsPerRound && !done(); ++i) {
@@ -270,7 +281,10 @@ UntangledMap Untangling::run() {
     }
   }
   result.folds_after = static_cast<int>(fewest_);
-  for (const Place& place : best_) result.images.push_back(place.position);
+  for (std::size_t v = 0; v < best_.size(); ++v) {
+    result.images.push_back(best_[v].position);
+    result.moved.push_back(best_[v].position != start[v].position);
+  }
   return result;
 }
 

@@ -97,8 +97,7 @@ Moves unfold_chart(const RefinedSource& source, const std::vector<bool>& inside,
   moves.folds_before = unfolded.folds_before;
   const DomainLocator locator(target.piece(), target.directions(), Vec3::Zero());
   for (std::size_t v = 0; v < fixed.size(); ++v) {
-    const bool moved = unfolded.images[v] != side.directions[v].stableNormalized();
-    if (fixed[v] || !(moved || is_new[v])) continue;
+    if (fixed[v] || !(unfolded.moved[v] || is_new[v])) continue;
     const SurfacePoint local = locator.locate(unfolded.images[v]).front();
     moves.images.emplace_back(piece.model_vertex[v], locator.on_model(local));
   }

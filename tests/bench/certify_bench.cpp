@@ -16,6 +16,8 @@
 #include "mapping/build_hulls.h"
 #include "mapping/hull_to_hull.h"
 #include "mapping/map_to_hull.h"
+#include "measure/certificate.h"
+#include "remeshing/reconstruct.h"
 
 namespace {
 
@@ -78,65 +80,120 @@ Moved moved(const SegmentedModel& model, std::mt19937& random) {
   return {std::move(copy), motion, vertex};
 }
 
-/// How a pair came out: parts and maps without a certificate, and the source's vertices on the target's
-/// hulls.
-struct Outcome {
-  int uncertified = 0;
-  std::vector<std::map<int, Vec3>> images;  ///< per part, by the model's vertex
+/// Where a stage puts the vertices of one part, or of the whole mesh.
+struct Piece {
+  std::string name;
+  bool certified = false;
+  std::map<int, Vec3> images;  ///< by the vertex of the model that is mapped
 };
 
-HullMap mapped(const SegmentedModel& model, int& uncertified) {
-  MappedToHull result = map_to_hull(build_hulls(model));
-  for (const PartMapReport& report : result.reports) uncertified += report.one_to_one ? 0 : 1;
-  return std::move(result.map);
+struct Stage {
+  std::string name;
+  bool of_target = false;  ///< it is the target that is mapped
+  bool in_target = false;  ///< images are in the target's space
+  std::vector<Piece> pieces;
+};
+
+std::map<int, Vec3> by_model_vertex(const std::vector<int>& model_vertex, const Points& images) {
+  std::map<int, Vec3> result;
+  for (std::size_t v = 0; v < model_vertex.size(); ++v) {
+    if (model_vertex[v] >= 0) result.emplace(model_vertex[v], images[v]);
+  }
+  return result;
 }
 
-Outcome run(const SegmentedModel& source, const SegmentedModel& target) {
-  Outcome outcome;
-  const HullMap source_map = mapped(source, outcome.uncertified);
-  const HullMap target_map = mapped(target, outcome.uncertified);
-  const HullToHull result = map_hull_to_hull(source_map, target_map);
-  for (std::size_t k = 0; k < result.parts.size(); ++k) {
-    outcome.uncertified += result.parts[k].one_to_one ? 0 : 1;
-    std::map<int, Vec3>& images = outcome.images.emplace_back();
-    const std::vector<int>& vertices = result.map.source_parts[k].model_vertex;
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      if (vertices[v] >= 0) images.emplace(vertices[v], result.map.images[k][v]);
+Stage hull_stage(const std::string& name, bool target, const MappedToHull& mapped) {
+  Stage stage{name, target, target, {}};
+  for (std::size_t k = 0; k < mapped.reports.size(); ++k) {
+    stage.pieces.push_back({mapped.map.hulled.model.segmentation.names[k], mapped.reports[k].one_to_one,
+                            by_model_vertex(mapped.map.hulled.parts[k].model_vertex, mapped.map.images[k])});
+  }
+  return stage;
+}
+
+Stage cross_stage(const HullToHull& crossed) {
+  Stage stage{"hull-to-hull", false, true, {}};
+  for (std::size_t k = 0; k < crossed.parts.size(); ++k) {
+    stage.pieces.push_back(
+        {crossed.parts[k].name, crossed.parts[k].one_to_one,
+         by_model_vertex(crossed.map.source_parts[k].model_vertex, crossed.map.images[k])});
+  }
+  return stage;
+}
+
+Stage whole_stage(const CompatibleMesh& mesh) {
+  std::vector<int> all(mesh.points.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {
+      "reconstruct", false, true, {{"whole", certify(mesh).one_to_one(), by_model_vertex(all, mesh.points)}}};
+}
+
+std::vector<Stage> run(const SegmentedModel& source, const SegmentedModel& target) {
+  const MappedToHull source_map = map_to_hull(build_hulls(source)),
+                     target_map = map_to_hull(build_hulls(target));
+  const HullToHull crossed = map_hull_to_hull(source_map.map, target_map.map);
+  return {hull_stage("map-to-hull, source", false, source_map),
+          hull_stage("map-to-hull, target", true, target_map), cross_stage(crossed),
+          whole_stage(reconstruct(crossed.map).mesh)};
+}
+
+/// What the moved runs say of one stage.
+struct Comparison {
+  int pieces = 0, certified = 0;
+  int alike = 0;  ///< runs within kAlike
+  std::vector<double>
+      distances;  ///< of the vertices to where the run without moves has them, over the diagonal
+  double largest = 0;
+  std::string farthest;  ///< piece
+};
+
+constexpr double kAlike = 1e-6;
+
+void compare(const Stage& before, const Stage& after, const std::vector<int>& new_vertex,
+             const Eigen::Affine3d& back, double diagonal, Comparison& result) {
+  double largest = 0;
+  for (std::size_t k = 0; k < before.pieces.size(); ++k) {
+    ++result.pieces;
+    result.certified += after.pieces[k].certified ? 1 : 0;
+    for (const auto& [v, image] : before.pieces[k].images) {
+      const double d = (back * after.pieces[k].images.at(new_vertex[v]) - image).norm() / diagonal;
+      result.distances.push_back(d);
+      largest = std::max(largest, d);
+      if (d > result.largest) {
+        result.largest = d;
+        result.farthest = before.pieces[k].name;
+      }
     }
   }
-  return outcome;
+  result.alike += largest < kAlike ? 1 : 0;
 }
 
 int compare_moves(const SegmentedModel& source, const SegmentedModel& target, int count) {
-  const Outcome before = run(source, target);
+  const std::vector<Stage> before = run(source, target);
+  std::vector<Comparison> found(before.size());
   std::mt19937 random(20110917);
-  int uncertified = before.uncertified, alike = 0;
-  double largest = 0;
-  std::vector<double> distances;
   for (int i = 0; i < count; ++i) {
     const Moved s = moved(source, random), t = moved(target, random);
-    const Outcome after = run(s.model, t.model);
-    uncertified += after.uncertified;
-    const Eigen::Affine3d back = t.motion.inverse();
-    double farthest = 0;
-    for (std::size_t k = 0; k < before.images.size(); ++k) {
-      for (const auto& [v, image] : before.images[k]) {
-        const double d = (back * after.images[k].at(s.new_vertex[v]) - image).norm() / target.mesh.diagonal();
-        farthest = std::max(farthest, d);
-        distances.push_back(d);
-      }
+    const std::vector<Stage> after = run(s.model, t.model);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const Moved& mapped = before[k].of_target ? t : s;
+      const Moved& space = before[k].in_target ? t : s;
+      compare(before[k], after[k], mapped.new_vertex, space.motion.inverse(),
+              (before[k].in_target ? target : source).mesh.diagonal(), found[k]);
     }
-    alike += farthest < 1e-6 ? 1 : 0;
-    largest = std::max(largest, farthest);
   }
-  std::sort(distances.begin(), distances.end());
-  const double median = distances.empty() ? 0 : distances[distances.size() / 2];
-  const double high = distances.empty() ? 0 : distances[distances.size() * 99 / 100];
-  std::printf(
-      "%d moves: %d parts uncertified, %d equal within 1e-6 l; distance median %.2g, 99 %% %.2g, largest "
-      "%.2g l\n",
-      count, uncertified, alike, median, high, largest);
-  return uncertified == 0 ? 0 : 1;
+  std::printf("%-20s %9s %6s %6s %8s %8s %8s  %s\n", "stage", "certified", "of", "equal", "median", "99 %",
+              "largest", "(over l)");
+  bool all = true;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    std::vector<double>& distances = found[k].distances;
+    std::sort(distances.begin(), distances.end());
+    std::printf("%-20s %9d %6d %6d %8.1e %8.1e %8.1e  %s\n", before[k].name.c_str(), found[k].certified,
+                found[k].pieces, found[k].alike, distances[distances.size() / 2],
+                distances[distances.size() / 100 * 99], found[k].largest, found[k].farthest.c_str());
+    all = all && found[k].certified == found[k].pieces;
+  }
+  return all ? 0 : 1;
 }
 
 int run_command(const std::vector<std::string>& words) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mesh/split_edges.h"
 #include "point_sets.h"
 
 namespace partwise::tests {
@@ -223,6 +224,55 @@ TriMesh capsule(double length, int around, int along) {
       facets.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)});
     }
     facets.push_back({vertex(along - 1, j), vertex(along - 1, j + 1), north});
+  }
+  return TriMesh(std::move(points), std::move(facets));
+}
+
+TriMesh with_flat_slivers(const TriMesh& mesh, int step, double height) {
+  Points points = mesh.points();
+  Facets facets;
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    const auto& [a, b, c] = mesh.facet(f);
+    if (f % step != 0) {
+      facets.push_back({a, b, c});
+      continue;
+    }
+    const Vec3 middle = (mesh.point(a) + mesh.point(b)) / 2, along = mesh.point(b) - mesh.point(a);
+    const Vec3 across = mesh.point(c) - middle;
+    const Vec3 inward = (across - across.dot(along) / along.squaredNorm() * along).normalized();
+    const int v = static_cast<int>(points.size());
+    points.push_back(middle + height * along.norm() * inward);
+    facets.insert(facets.end(), {{a, b, v}, {b, c, v}, {c, a, v}});
+  }
+  return TriMesh(std::move(points), std::move(facets));
+}
+
+TriMesh with_needles(const TriMesh& mesh, int step, double fraction) {
+  std::vector<EdgePoint> cuts;
+  int edge = 0;
+  for (const auto h : mesh.half_edges().halfedges()) {
+    const int a = mesh.half_edges().from_vertex_handle(h).idx(),
+              b = mesh.half_edges().to_vertex_handle(h).idx();
+    if (a < b && edge++ % step == 0) cuts.push_back({a, b, fraction});
+  }
+  return split_edges(mesh, cuts).mesh;
+}
+
+TriMesh with_opening(const TriMesh& mesh, const Vec3& direction, double size) {
+  Points points = mesh.points();
+  Facets facets = mesh.facets();
+  auto centroid = [&](const Facet& f) { return Vec3((points[f[0]] + points[f[1]] + points[f[2]]) / 3); };
+  const auto farthest = std::max_element(facets.begin(), facets.end(), [&](const Facet& f, const Facet& g) {
+    return direction.dot(centroid(f)) < direction.dot(centroid(g));
+  });
+  const Facet outer = *farthest;
+  const Vec3 centre = centroid(outer);
+  const int first = static_cast<int>(points.size());
+  for (const int v : outer) points.push_back(centre + size * (mesh.point(v) - centre));
+  facets.erase(farthest);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    facets.insert(facets.end(), {{outer[i], outer[j], first + j}, {outer[i], first + j, first + i}});
   }
   return TriMesh(std::move(points), std::move(facets));
 }

@@ -40,4 +40,17 @@ TriMesh grid(int n);
 /// Two half-balls of radius 1 at z = -length / 2 and length / 2 joined by a tube, slightly thinned at z = 0.
 TriMesh capsule(double length, int around, int along);
 
+/// Cuts every `step`-th facet in three by a vertex over the middle of its first edge, `height` of the edge's
+/// length off it: every such facet leaves a sliver with two angles of about 2 height and one near 180
+/// degrees.
+TriMesh with_flat_slivers(const TriMesh& mesh, int step, double height);
+
+/// Cuts every `step`-th edge `fraction` of its length from one end: the two facets at the short piece are
+/// slivers with one angle of about `fraction`.
+TriMesh with_needles(const TriMesh& mesh, int step, double fraction);
+
+/// The mesh with an opening in the facet that lies farthest in a direction, `size` times as large as the
+/// facet: one boundary loop of 3 vertices.
+TriMesh with_opening(const TriMesh& mesh, const Vec3& direction, double size);
+
 }  // namespace partwise::tests

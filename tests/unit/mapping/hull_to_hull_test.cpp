@@ -166,6 +166,24 @@ TEST(HullToHull, OpenMeshes) {
   expect_one_to_one(result);
 }
 
+TEST(HullToHull, SliversAndTinyOpeningsAreOneToOneOrNamed) {
+  constexpr double kTiny = 1e-6;
+  const Vec3 aside(1, 0.2, 0.3);
+  const HullMap round = hull_map(octant_model(tests::with_opening(tests::lumpy_sphere(5), aside, 0.5), 1));
+  for (const TriMesh& mesh : {tests::with_flat_slivers(tests::cube(4), 3, kTiny),
+                              tests::with_needles(tests::bumpy_sphere(4, 0.5), 4, kTiny)}) {
+    const HullMap thin = hull_map(octant_model(tests::with_opening(mesh, aside, kTiny), 1));
+    for (const HullToHull& result : {map_hull_to_hull(thin, round), map_hull_to_hull(round, thin)}) {
+      for (const PartCrossing& part : result.parts) {
+        EXPECT_NEAR(part.degree, 1, 1e-9);
+        // Only a facet that has all its corners on the boundary can keep a fold.
+        EXPECT_EQ(part.folds, part.locked_folds) << part.name;
+        EXPECT_EQ(part.one_to_one, part.folds == 0) << part.name;
+      }
+    }
+  }
+}
+
 TEST(HullToHull, ThePapersEnergyEndsOnTheHullWithItsBoundaryInPlace) {
   const HullMap source = hull_map(octant_model(tests::lumpy_sphere(7), 2));
   const HullMap target = hull_map(octant_model(tests::cube(6), 2));

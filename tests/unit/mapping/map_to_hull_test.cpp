@@ -99,6 +99,37 @@ TEST(MapToHull, FlatSidesWithSliversInTheHull) {
   }
 }
 
+double smallest_angle(const TriMesh& mesh) {
+  double smallest = M_PI;
+  for (const Facet& f : mesh.facets()) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 a = mesh.point(f[(i + 1) % 3]) - mesh.point(f[i]),
+                 b = mesh.point(f[(i + 2) % 3]) - mesh.point(f[i]);
+      smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  }
+  return smallest;
+}
+
+TEST(MapToHull, SliversAndTinyOpeningsAreOneToOne) {
+  constexpr double kTiny = 1e-6;
+  for (const TriMesh& shape : {tests::cube(4), tests::bumpy_sphere(4, 0.5)}) {
+    for (const TriMesh& mesh : {tests::with_needles(tests::with_flat_slivers(shape, 3, kTiny), 5, kTiny),
+                                tests::with_opening(shape, {0.2, 0.3, 1}, kTiny)}) {
+      ASSERT_LT(smallest_angle(mesh), 4 * kTiny);
+      for (const HulledModel& hulled : {whole(mesh), halves(mesh)}) {
+        const MappedToHull result = mapped(hulled, HullMapMethod::progressive);
+        expect_on_hull(hulled, result);
+        for (const PartMapReport& report : result.reports) {
+          EXPECT_TRUE(report.one_to_one) << report.folds << " folds";
+          EXPECT_EQ(report.method, HullMapMethod::progressive) << report.remark;
+          EXPECT_LT(report.distortion, 2.5);
+        }
+      }
+    }
+  }
+}
+
 TEST(MapToHull, ImagesLieOnTheHullAlsoOfParts) {
   for (const TriMesh& mesh : {tests::capsule(3, 16, 24), tests::bumpy_sphere(8, 0.5)}) {
     for (const HullMapMethod method : kMethods) {

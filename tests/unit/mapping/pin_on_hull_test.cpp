@@ -9,6 +9,7 @@
 #include "mapping/release_markers.h"
 #include "mapping/split_chords.h"
 #include "mapping/untangle_on_hull.h"
+#include "models.h"
 
 namespace partwise {
 namespace {
@@ -44,6 +45,25 @@ TEST_F(OnASphere, UntanglingKeepsFixedVertices) {
   const UntangledMap untangled = untangle_on_hull(mesh, hull, start, fixed);
   EXPECT_EQ(untangled.folds_after, 0);
   EXPECT_LT((untangled.images[3].normalized() - start[3]).norm(), 1e-12);
+}
+
+TEST(Untangling, DoesNotDependOnTheNumbering) {
+  const TriMesh mesh = tests::lumpy_sphere(8);
+  const int n = mesh.vertex_count();
+  const StarHull hull(convex_hull(mesh.points()), Vec3::Zero());
+  Points start = mesh.points(), reversed(n), reversed_start(n);
+  for (int v = 0; v < n; v += 7) start[v] += Vec3(0.5, -0.3, 0.4);
+  for (int v = 0; v < n; ++v) {
+    reversed[n - 1 - v] = mesh.point(v);
+    reversed_start[n - 1 - v] = start[v];
+  }
+  Facets facets;
+  for (const auto& [a, b, c] : mesh.facets()) facets.push_back({n - 1 - b, n - 1 - c, n - 1 - a});
+  const UntangledMap untangled = untangle_on_hull(mesh, hull, start, {});
+  const UntangledMap other = untangle_on_hull(TriMesh(reversed, facets), hull, reversed_start, {});
+  EXPECT_GT(untangled.folds_before, 50);
+  EXPECT_EQ(untangled.folds_after, 0);
+  for (int v = 0; v < n; ++v) EXPECT_LT((other.images[n - 1 - v] - untangled.images[v]).norm(), 1e-9) << v;
 }
 
 TEST_F(OnASphere, BringsPinsToTheirGoalsWithoutFolds) {

@@ -6,10 +6,10 @@
 #include "convex_pairs.h"
 #include "error.h"
 #include "geometry/normals.h"
+#include "mapped_pairs.h"
 #include "measure/certificate.h"
 #include "remeshing/one_to_one_map.h"
 #include "remeshing/reconstruct.h"
-#include "torus_pair.h"
 
 namespace partwise {
 namespace {

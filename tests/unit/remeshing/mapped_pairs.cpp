@@ -1,10 +1,9 @@
-#include "torus_pair.h"
+#include "mapped_pairs.h"
 
 #include "builders.h"
 #include "mapping/build_hulls.h"
 #include "mapping/hull_to_hull.h"
 #include "mapping/map_to_hull.h"
-#include "remeshing/reconstruct.h"
 
 namespace partwise::tests {
 namespace {
@@ -20,10 +19,13 @@ SegmentedModel half_tori(const TriMesh& mesh) {
 
 }  // namespace
 
+Reconstruction mapped_by_hulls(const SegmentedModel& source, const SegmentedModel& target) {
+  auto on_hulls = [](const SegmentedModel& model) { return map_to_hull(build_hulls(model)).map; };
+  return reconstruct(map_hull_to_hull(on_hulls(source), on_hulls(target)).map);
+}
+
 CompatibleMesh torus_pair() {
-  auto on_hulls = [](const TriMesh& mesh) { return map_to_hull(build_hulls(half_tori(mesh))).map; };
-  return reconstruct(map_hull_to_hull(on_hulls(torus(1, 0.3, 20, 10)), on_hulls(torus(1, 0.45, 24, 14))).map)
-      .mesh;
+  return mapped_by_hulls(half_tori(torus(1, 0.3, 20, 10)), half_tori(torus(1, 0.45, 24, 14))).mesh;
 }
 
 }  // namespace partwise::tests
