@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/texture_corners.h"
 #include "mesh/tri_mesh.h"
 
 /// Meshes of known shape for the tests; all are oriented outward and, but for two_spheres, centred at the
@@ -39,5 +40,8 @@ TriMesh grid(int n);
 
 /// Two half-balls of radius 1 at z = -length / 2 and length / 2 joined by a tube, slightly thinned at z = 0.
 TriMesh capsule(double length, int around, int along);
+
+/// u goes around the z axis once, from 0, and jumps at the seam in the half-plane y = 0, x < 0; v is z.
+TextureCorners cylindrical_texture(const TriMesh& mesh);
 
 }  // namespace partwise::tests
