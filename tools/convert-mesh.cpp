@@ -6,6 +6,7 @@
 #include "io/mesh_files.h"
 #include "io/sha256.h"
 #include "io/stage_documents.h"
+#include "io/texture_columns.h"
 #include "mesh/repair.h"
 
 using namespace partwise;
@@ -61,7 +62,20 @@ void tell(const io::ImportedMesh& mesh, const cli::Command& command, io::Json& m
     command.warn(std::to_string(mesh.merged_vertices) +
                  " corners equal to an earlier one were merged with it");
   }
+  if (mesh.bare_facets > 0) {
+    command.warn(std::to_string(mesh.bare_facets) +
+                 " facets have no texture coordinates although others have: they get 0, 0");
+  }
   for (const std::string& what : mesh.ignored) command.inform("ignored: " + what);
+}
+
+/// \param given the document that the mesh came with, if any
+void add_texture(io::PlyTables& tables, const TextureCorners& texture,
+                 const std::optional<io::Document>& given) {
+  for (io::Property& column : io::texture_columns(texture)) {
+    tables.elements[1].properties.push_back(std::move(column));
+  }
+  if (given) tables.comments = io::texture_comments(given->tables);
 }
 
 }  // namespace
@@ -86,18 +100,21 @@ int main(int argc, char** argv) {
     io::Json metrics = io::Json::object();
     tell(imported, command, metrics);
     TriangleSoup soup = command.about(input, [&] {
-      return repaired({std::move(imported.points), std::move(imported.facets)}, repairs, command, metrics);
+      return repaired({std::move(imported.points), std::move(imported.facets), std::move(imported.texture)},
+                      repairs, command, metrics);
     });
     const TriMesh mesh =
         command.about(input, [&] { return TriMesh(std::move(soup.points), std::move(soup.facets)); });
     metrics["vertices"] = mesh.vertex_count();
     metrics["facets"] = mesh.facet_count();
     if (exported) {
-      io::export_mesh(output, mesh.points(), mesh.facets(), command.force());
+      io::export_mesh(output, mesh.points(), mesh.facets(), command.force(), soup.texture);
       return;
     }
     std::vector<const io::Document*> inputs;
     if (document) inputs.push_back(&*document);
-    command.write(io::to_document(mesh), inputs, metrics);
+    io::Document written = io::to_document(mesh);
+    if (soup.texture) add_texture(written.tables, *soup.texture, document);
+    command.write(std::move(written), inputs, metrics);
   });
 }

@@ -48,7 +48,8 @@ void declare(CLI::App& app, Request& request) {
       app.add_option(
              "--attributes", request.attributes,
              "The source as a PLY file with properties of vertices or facets (colours, labels, texture "
-             "coordinates, skinning weights, any): the target gets them")
+             "coordinates, skinning weights, any), or as an OBJ file with texture coordinates: the target "
+             "gets them")
           ->excludes(poses);
   app.add_option("--property", request.properties, "Only these properties")
       ->allow_extra_args(false)
@@ -151,26 +152,29 @@ void transfer_poses(cli::Command& command, const cli::SeriesOutput& output, cons
 void transfer_attributes(cli::Command& command, const cli::SeriesOutput& output, const std::string& input,
                          const io::Document& document, const Pair& pair, const Request& request) {
   const cli::ModelInput given = read_giver(command, request.attributes, pair, input, request.reverse);
-  if (!given.document) throw InputError(request.attributes + ": only PLY files have properties to transfer");
+  const io::PlyTables tables = given.tables();
   CarriedAttributes carried = command.about(request.attributes, [&] {
-    return carry_attributes(given.document->tables, pair.giver, pair.receiver, *pair.origins,
-                            request.properties);
+    return carry_attributes(tables, pair.giver, pair.receiver, *pair.origins, request.properties);
   });
   if (carried.vertex.empty() && carried.face.empty()) {
-    throw InputError(request.attributes + ": has no property to transfer but its geometry");
+    throw InputError(request.attributes +
+                     ": has no property to transfer but its geometry; PLY files have them, and OBJ files "
+                     "with texture coordinates");
   }
   io::Json names = io::Json::array();
   for (const auto* columns : {&carried.vertex, &carried.face}) {
     for (const io::Property& property : *columns) names.push_back(property.name);
   }
   io::Document looks;
-  looks.tables.comments = given.document->tables.comments;
+  looks.tables.comments = tables.comments;
   looks.tables.elements = {{"vertex", pair.receiver.points().size(), std::move(carried.vertex)},
                            {"face", pair.receiver.facets().size(), std::move(carried.face)}};
   cli::Series series{"attributes", pair.receiver, {pair.receiver.points()}, request.names(), {}};
   series.metrics.push_back({{"properties", names}});
   series.looks = &looks;
-  output.write(series, {&document, &*given.document});
+  std::vector<const io::Document*> inputs{&document};
+  if (given.document) inputs.push_back(&*given.document);
+  output.write(series, inputs);
 }
 
 }  // namespace

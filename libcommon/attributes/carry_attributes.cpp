@@ -4,11 +4,12 @@
 #include <map>
 #include <optional>
 
+#include "attributes/carry_texture.h"
 #include "attributes/column_values.h"
 #include "attributes/skinning.h"
-#include "attributes/texture_corners.h"
 #include "error.h"
 #include "io/carried_columns.h"
+#include "io/texture_columns.h"
 
 namespace partwise {
 namespace {
@@ -55,7 +56,7 @@ Property vertex_column(const Property& property, const TriMesh& giver,
     nearest.push_back(giver.facet(origin.facet)[corner]);
   }
   if (property.is_list) return chosen_lists(property, nearest);
-  const std::vector<double> given = numbers_of(property.values);
+  const std::vector<double> given = io::numbers_of(property.values);
   std::vector<double> carried;
   for (std::size_t v = 0; v < origins.size(); ++v) {
     const Facet& f = giver.facet(origins[v].facet);
@@ -76,7 +77,7 @@ Property face_column(const Property& property, const std::vector<std::vector<Sur
     }
     return chosen_lists(property, rows);
   }
-  const std::vector<double> given = numbers_of(property.values);
+  const std::vector<double> given = io::numbers_of(property.values);
   std::vector<double> carried;
   for (const std::vector<SurfacePoint>& of_facet : samples) {
     std::vector<double> values;
@@ -89,31 +90,6 @@ Property face_column(const Property& property, const std::vector<std::vector<Sur
                                              : most_frequent(values));
   }
   return io::scalar_column(property.name, values_like(property.values, carried));
-}
-
-/// `texcoord` with six numbers for every facet, as MeshLab and others write it.
-std::optional<TextureCorners> read_texture(const io::PlyTables& from) {
-  const io::Element* faces = from.find("face");
-  const Property* places = faces->find("texcoord");
-  if (!places || !places->is_list) return {};
-  const std::vector<double> numbers = io::lists<double>(from, "face", "texcoord", 6);
-  TextureCorners corners;
-  corners.places.resize(faces->size);
-  for (std::size_t f = 0; f < faces->size; ++f) {
-    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(6 * f), 6, corners.places[f].begin());
-  }
-  const Property* images = faces->find("texnumber");
-  if (images && !images->is_list) corners.images = numbers_of(images->values);
-  return corners;
-}
-
-void add_texture(const io::Element& faces, const TextureCorners& carried, std::vector<Property>& columns) {
-  std::vector<double> numbers;
-  for (const auto& places : carried.places) numbers.insert(numbers.end(), places.begin(), places.end());
-  columns.push_back(io::list_column("texcoord", values_like(faces.find("texcoord")->values, numbers), 6));
-  if (carried.images.empty()) return;
-  columns.push_back(
-      io::scalar_column("texnumber", values_like(faces.find("texnumber")->values, carried.images)));
 }
 
 std::string known_properties(const io::PlyTables& from) {
@@ -148,8 +124,8 @@ CarriedAttributes carry_attributes(const io::PlyTables& from, const TriMesh& giv
     if (!wanted(property.name) || skin.contains(property)) continue;
     carried.vertex.push_back(vertex_column(property, giver, origins.vertices));
   }
-  const auto texture = wanted("texcoord") ? read_texture(from) : std::nullopt;
-  if (texture) add_texture(faces, carry_texture(*texture, giver, receiver, origins), carried.face);
+  const auto texture = wanted("texcoord") ? io::read_texture(from) : std::nullopt;
+  if (texture) carried.face = io::texture_columns(carry_texture(*texture, giver, receiver, origins));
   for (const Property& property : faces.properties) {
     const bool done = texture && (property.name == "texcoord" || property.name == "texnumber");
     if (wanted(property.name) && !done) carried.face.push_back(face_column(property, origins.facets));

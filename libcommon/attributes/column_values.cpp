@@ -8,10 +8,6 @@
 
 namespace partwise {
 
-std::vector<double> numbers_of(const io::Values& values) {
-  return std::visit([](const auto& list) { return std::vector<double>(list.begin(), list.end()); }, values);
-}
-
 io::Values values_like(const io::Values& like, const std::vector<double>& numbers) {
   return std::visit(
       [&](const auto& list) -> io::Values {

@@ -8,9 +8,6 @@
 /// PLY columns of any type as numbers, and back.
 namespace partwise {
 
-/// The values as double, which holds all of PLY's types exactly.
-std::vector<double> numbers_of(const io::Values& values);
-
 /// Numbers in the type that `like` has; rounded and held within its range where it is of integers.
 io::Values values_like(const io::Values& like, const std::vector<double>& numbers);
 

@@ -16,7 +16,7 @@ std::vector<Binding> read_bindings(const SkinColumns& skin, int vertex_count) {
   std::vector<Binding> bindings(vertex_count);
   for (std::size_t k = 0; k < skin.joints.size(); ++k) {
     const io::Property &joint = *skin.joints[k], &weight = *skin.weights[k];
-    const std::vector<double> joints = numbers_of(joint.values), weights = numbers_of(weight.values);
+    const std::vector<double> joints = io::numbers_of(joint.values), weights = io::numbers_of(weight.values);
     for (int v = 0; v < vertex_count; ++v) {
       const std::size_t first = joint.is_list ? joint.offsets[v] : v;
       const std::size_t last = joint.is_list ? joint.offsets[v + 1] : v + 1;

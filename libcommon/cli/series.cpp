@@ -9,6 +9,7 @@
 #include "io/gltf.h"
 #include "io/pending_file.h"
 #include "io/stage_documents.h"
+#include "io/texture_columns.h"
 
 namespace partwise::cli {
 namespace {
@@ -31,6 +32,22 @@ std::vector<std::vector<double>> vertex_columns(const io::Document& document,
   return columns;
 }
 
+/// Texture coordinates that vertices have, as Blender writes them, at the corners of facets.
+std::optional<TextureCorners> vertex_texture(const io::Document& looks, const Facets& facets) {
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+    const auto places = vertex_columns(looks, names);
+    if (places.empty()) continue;
+    TextureCorners texture;
+    for (const auto& [a, b, c] : facets) {
+      texture.places.push_back(
+          {places[0][a], places[1][a], places[0][b], places[1][b], places[0][c], places[1][c]});
+    }
+    return texture;
+  }
+  return {};
+}
+
 void add_looks(io::ShapeAnimation& animation, const io::Document& looks) {
   const auto colours = vertex_columns(looks, {"red", "green", "blue"});
   const io::Element* vertices = looks.tables.find("vertex");
@@ -41,29 +58,32 @@ void add_looks(io::ShapeAnimation& animation, const io::Document& looks) {
                                    static_cast<std::uint8_t>(colours[2][v])});
     }
   }
-  for (const std::vector<std::string>& names :
-       {std::vector<std::string>{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
-    const auto places = vertex_columns(looks, names);
-    if (places.empty()) continue;
-    for (std::size_t v = 0; v < vertices->size; ++v)
-      animation.texture.push_back({places[0][v], places[1][v]});
-    return;
-  }
+  animation.texture = io::read_texture(looks.tables);
+  if (!animation.texture) animation.texture = vertex_texture(looks, animation.facets);
 }
 
 }  // namespace
+
+io::PlyTables ModelInput::tables() const {
+  if (document) return document->tables;
+  io::PlyTables tables;
+  tables.elements = {{"vertex", mesh.points().size(), {}}, {"face", mesh.facets().size(), {}}};
+  if (texture) tables.elements[1].properties = io::texture_columns(*texture);
+  return tables;
+}
 
 ModelInput read_model(Command& command, const std::string& path) {
   if (io::is_foreign_mesh_file(path)) {
     io::ImportedMesh imported = command.import_mesh(path);
     return command.about(path, [&] {
-      return ModelInput{TriMesh(std::move(imported.points), std::move(imported.facets)), std::nullopt};
+      return ModelInput{TriMesh(std::move(imported.points), std::move(imported.facets)), std::nullopt,
+                        std::move(imported.texture)};
     });
   }
   io::Document document = command.read(path, {});
   return command.about(path, [&] {
     TriMesh mesh = io::read_mesh(document);
-    return ModelInput{std::move(mesh), std::move(document)};
+    return ModelInput{std::move(mesh), std::move(document), std::nullopt};
   });
 }
 
@@ -159,9 +179,8 @@ void SeriesOutput::write(const Series& series, const std::vector<const io::Docum
       for (io::Element& element : document.tables.elements) {
         io::carry_columns(element, *series.looks->tables.find(element.name));
       }
-      for (const std::string& comment : series.looks->tables.comments) {
-        // Where MeshLab and others look for the image that texture coordinates belong to.
-        if (comment.starts_with("TextureFile")) document.tables.comments.push_back(comment);
+      for (std::string& comment : io::texture_comments(series.looks->tables)) {
+        document.tables.comments.push_back(std::move(comment));
       }
     }
     command_.write_to(path_of(series.names[i]), std::move(document), inputs, series.metrics[i]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "mesh/texture_corners.h"
 #include "mesh/tri_mesh.h"
 
 namespace partwise::cli {
@@ -13,6 +14,10 @@ namespace partwise::cli {
 struct ModelInput {
   TriMesh mesh;
   std::optional<io::Document> document;
+  std::optional<TextureCorners> texture;  ///< OBJ's
+
+  /// All that is known besides the geometry: `vertex` and `face` with their properties.
+  io::PlyTables tables() const;
 };
 
 /// Reads the mesh of any document or mesh file. \throws InputError naming the file

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <ostream>
 
 #include "error.h"
@@ -61,6 +62,15 @@ class Buffer {
 
 using Floats = std::vector<float>;
 
+/// The entries of the vertices' origins.
+template <class T>
+std::vector<T> spread(const std::vector<T>& of_mesh, const SeamVertices& vertices) {
+  std::vector<T> result;
+  result.reserve(vertices.origins.size());
+  for (const int origin : vertices.origins) result.push_back(of_mesh[origin]);
+  return result;
+}
+
 Floats floats_of(const Points& vectors) {
   Floats floats;
   floats.reserve(3 * vectors.size());
@@ -77,9 +87,9 @@ Floats difference(const Floats& to, const Floats& from) {
   return result;
 }
 
-/// Normals of unit length, as glTF wants them: where facets cancel, any.
-Floats normals_of(const Points& points, const Facets& facets) {
-  Points normals = vertex_normals(points, facets);
+/// Normals of unit length, as glTF wants them: where facets cancel, any. Smooth over seams.
+Floats normals_of(const Points& points, const Facets& facets, const SeamVertices& vertices) {
+  Points normals = spread(vertex_normals(points, facets), vertices);
   for (Vec3& normal : normals) {
     if (normal.isZero()) normal = Vec3::UnitZ();
   }
@@ -98,37 +108,48 @@ Floats linear_colours(const std::vector<std::array<std::uint8_t, 3>>& colours) {
   return floats;
 }
 
-Json attributes_of(const ShapeAnimation& animation, Buffer& buffer, const Floats& positions,
-                   const Floats& normals) {
+Json attributes_of(const ShapeAnimation& animation, Buffer& buffer, const SeamVertices& vertices,
+                   const Floats& positions, const Floats& normals) {
   Json attributes{{"POSITION", buffer.add_bounded(positions, "VEC3", 3, kVertexData)},
                   {"NORMAL", buffer.add(normals, kFloat, "VEC3", 3, kVertexData)}};
   if (!animation.colours.empty()) {
-    attributes["COLOR_0"] = buffer.add(linear_colours(animation.colours), kFloat, "VEC3", 3, kVertexData);
+    attributes["COLOR_0"] =
+        buffer.add(linear_colours(spread(animation.colours, vertices)), kFloat, "VEC3", 3, kVertexData);
   }
-  if (!animation.texture.empty()) {
+  if (animation.texture) {
     Floats places;
-    for (const auto& [u, v] : animation.texture) {
-      places.push_back(static_cast<float>(u));
-      places.push_back(static_cast<float>(1 - v));  // glTF's images begin above
+    for (const Eigen::Vector2d& place : vertices.places) {
+      places.push_back(static_cast<float>(place.x()));
+      places.push_back(static_cast<float>(1 - place.y()));  // glTF's images begin above
     }
     attributes["TEXCOORD_0"] = buffer.add(places, kFloat, "VEC2", 2, kVertexData);
   }
   return attributes;
 }
 
+/// One per vertex of the mesh where there is no texture.
+SeamVertices vertices_of(const ShapeAnimation& animation) {
+  const auto count = static_cast<int>(animation.frames[0].size());
+  if (animation.texture) return split_at_seams(count, animation.facets, *animation.texture);
+  SeamVertices vertices{std::vector<int>(count), {}, animation.facets};
+  std::iota(vertices.origins.begin(), vertices.origins.end(), 0);
+  return vertices;
+}
+
 void add_mesh(const ShapeAnimation& animation, Json& document, Buffer& buffer) {
-  const Floats positions = floats_of(animation.frames[0]);
-  const Floats normals = normals_of(animation.frames[0], animation.facets);
+  const SeamVertices vertices = vertices_of(animation);
+  const Floats positions = floats_of(spread(animation.frames[0], vertices));
+  const Floats normals = normals_of(animation.frames[0], animation.facets, vertices);
   Json primitive{{"mode", 4}, {"material", 0}};
-  primitive["attributes"] = attributes_of(animation, buffer, positions, normals);
+  primitive["attributes"] = attributes_of(animation, buffer, vertices, positions, normals);
   std::vector<std::uint32_t> corners;
-  for (const Facet& facet : animation.facets) corners.insert(corners.end(), facet.begin(), facet.end());
+  for (const Facet& facet : vertices.facets) corners.insert(corners.end(), facet.begin(), facet.end());
   primitive["indices"] = buffer.add(corners, kUnsignedInt, "SCALAR", 1, kIndexData);
   Json names = Json::array();
   for (std::size_t i = 1; i < animation.frames.size(); ++i) {
     const Points& points = animation.frames[i];
-    const Floats moves = difference(floats_of(points), positions);
-    const Floats turns = difference(normals_of(points, animation.facets), normals);
+    const Floats moves = difference(floats_of(spread(points, vertices)), positions);
+    const Floats turns = difference(normals_of(points, animation.facets, vertices), normals);
     primitive["targets"].push_back({{"POSITION", buffer.add_bounded(moves, "VEC3", 3, kVertexData)},
                                     {"NORMAL", buffer.add(turns, kFloat, "VEC3", 3, kVertexData)}});
     names.push_back(animation.frame_names[i]);

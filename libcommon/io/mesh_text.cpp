@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -24,18 +25,87 @@ Vec3 read_position(Words& words, const ByteSource& source) {
   return position;
 }
 
-/// 0-based vertex of an OBJ corner "7", "7/1", "7//3", "7/1/3" or "-1" (the last vertex so far).
-int obj_corner(std::string_view word, std::size_t vertices, const ByteSource& source) {
-  const std::string_view number = word.substr(0, word.find('/'));
+/// A number of an OBJ corner, 0-based: OBJ counts from 1, or back from the last so far (-1).
+/// \param what it counts, for messages; `count` of them so far
+int obj_index(std::string_view number, const std::string& what, std::size_t count, const ByteSource& source) {
   int index = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
   if (error != std::errc() || end != number.data() + number.size() || index == 0) {
-    fail(source, "\"" + std::string(word.substr(0, 40)) + "\" is no vertex: they count from 1");
+    fail(source, "\"" + std::string(number.substr(0, 40)) + "\" is no " + what + ": they count from 1");
   }
-  const long absolute = index > 0 ? index - 1L : static_cast<long>(vertices) + index;
-  if (absolute < 0) fail(source, "vertex " + std::to_string(index) + " is before the first");
+  const long absolute = index > 0 ? index - 1L : static_cast<long>(count) + index;
+  if (absolute < 0) fail(source, what + " " + std::to_string(index) + " is before the first");
   return static_cast<int>(absolute);
 }
+
+/// What an OBJ file says of texture: collected in the order of the file, as corners may name what only
+/// follows.
+class ObjTexture {
+ public:
+  void add_place(Words& words, const ByteSource& source) {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    if (!words.number(place[0]) || !std::isfinite(place[0])) fail(source, "vt needs a number");
+    if (Words rest = words; !rest.next().empty() && (!words.number(place[1]) || !std::isfinite(place[1]))) {
+      fail(source, "the second number of vt is none");
+    }
+    places_.push_back(place);
+  }
+
+  void use_material(std::string_view name) {
+    material_ = materials_.try_emplace(std::string(name), static_cast<int>(materials_.size())).first->second;
+  }
+
+  /// \param word "7", "7/1", "7//3" or "7/1/3"
+  void add_corner(std::string_view word, const ByteSource& source) {
+    const std::size_t slash = word.find('/');
+    const std::string_view rest = slash == std::string_view::npos ? "" : word.substr(slash + 1);
+    const std::string_view number = rest.substr(0, rest.find('/'));
+    const int place = number.empty() ? -1 : obj_index(number, "texture coordinate", places_.size(), source);
+    corners_.push_back({place, material_});
+    is_used_ = is_used_ || place >= 0;
+  }
+
+  /// Gives the mesh the texture of the corners that its facets have.
+  void put_on(ImportedMesh& mesh, const std::vector<std::array<long, 3>>& file_corners) const {
+    if (!is_used_) return;
+    TextureCorners texture;
+    std::set<int> images;
+    for (std::size_t f = 0; f < file_corners.size(); ++f) {
+      std::array<double, 6>& of_facet = texture.places.emplace_back();
+      bool is_bare = false;
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector2d place = place_of(corners_[file_corners[f][i]].place, f);
+        is_bare = is_bare || corners_[file_corners[f][i]].place < 0;
+        of_facet[2 * i] = place.x();
+        of_facet[2 * i + 1] = place.y();
+      }
+      if (is_bare) ++mesh.bare_facets;
+      texture.images.push_back(corners_[file_corners[f][0]].material);
+      images.insert(texture.images.back());
+    }
+    if (images.size() == 1) texture.images.clear();
+    mesh.texture = std::move(texture);
+  }
+
+ private:
+  struct Corner {
+    int place, material;
+  };
+
+  Eigen::Vector2d place_of(int index, std::size_t facet) const {
+    if (index < 0) return Eigen::Vector2d::Zero();
+    if (index < static_cast<long>(places_.size())) return places_[index];
+    throw InputError("facet " + std::to_string(facet) + " names texture coordinate " +
+                     std::to_string(index + 1) + " of " + std::to_string(places_.size()) +
+                     ": write the file with its vt lines, or without texture coordinates");
+  }
+
+  std::vector<Eigen::Vector2d> places_;
+  std::map<std::string, int> materials_;
+  int material_ = 0;
+  std::vector<Corner> corners_;
+  bool is_used_ = false;
+};
 
 /// The next line of an OFF file that says something, without its comment.
 bool next_off_line(ByteSource& source, std::string_view& line) {
@@ -75,6 +145,7 @@ ImportedMesh read_obj(std::istream& in) {
   PolygonBuilder builder;
   std::set<std::string> ignored;
   std::vector<int> corners;
+  ObjTexture texture;
   std::string_view part;
   std::string line;
   while (source.next_line(part, kLongestLine)) {
@@ -90,9 +161,15 @@ ImportedMesh read_obj(std::istream& in) {
     } else if (keyword == "f") {
       corners.clear();
       for (auto word = words.next(); !word.empty(); word = words.next()) {
-        corners.push_back(obj_corner(word, builder.vertex_count(), source));
+        corners.push_back(
+            obj_index(word.substr(0, word.find('/')), "vertex", builder.vertex_count(), source));
+        texture.add_corner(word, source);
       }
       builder.polygon(corners, "line " + std::to_string(source.line_number()));
+    } else if (keyword == "vt") {
+      texture.add_place(words, source);
+    } else if (keyword == "usemtl") {
+      texture.use_material(words.next());
     } else if (!keyword.empty()) {
       if (line.find('\0') != std::string::npos || keyword.size() > 20)
         fail(source, "is no line of an OBJ file");
@@ -100,6 +177,7 @@ ImportedMesh read_obj(std::istream& in) {
     }
   }
   ImportedMesh mesh = builder.finished();
+  texture.put_on(mesh, builder.file_corners());
   mesh.ignored.assign(ignored.begin(), ignored.end());
   return mesh;
 }

@@ -96,6 +96,10 @@ std::string place(const Element& element, std::size_t row, const Property& prope
   return "element " + element.name + ", row " + std::to_string(row) + ", property " + property.name;
 }
 
+std::vector<double> numbers_of(const Values& values) {
+  return std::visit([](const auto& list) { return std::vector<double>(list.begin(), list.end()); }, values);
+}
+
 Property scalar_column(std::string name, Values values) {
   return {std::move(name), std::move(values), false, ScalarType::uint8, {}};
 }

@@ -42,6 +42,9 @@ struct PlyTables {
   const Element* find(const std::string& element) const;
 };
 
+/// The values as double, which holds all of PLY's types exactly.
+std::vector<double> numbers_of(const Values& values);
+
 /// A column of scalars.
 Property scalar_column(std::string name, Values values);
 

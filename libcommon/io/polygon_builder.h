@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <string>
 #include <string_view>
@@ -36,7 +37,15 @@ class PolygonBuilder {
 
   /// `place` names the polygon in messages ("line 7"). Corners may be vertices that only follow later.
   void polygon(const std::vector<int>& corners, const std::string& place);
-  void triangle(const Facet& facet) { mesh_.facets.push_back(facet); }
+  void triangle(const Facet& facet) {
+    mesh_.facets.push_back(facet);
+    file_corners_.push_back({corner_count_, corner_count_ + 1, corner_count_ + 2});
+    corner_count_ += 3;
+  }
+
+  /// Per facet: which corners of the file's polygons its own are, counted through the whole file in the order
+  /// that they were given in. \pre finished
+  const std::vector<std::array<long, 3>>& file_corners() const { return file_corners_; }
 
   /// Cuts the polygons; facets keep the order of the file. \throws InputError for corners out of range of a
   /// polygon that must be cut (those of triangles are left to the mesh's validation).
@@ -47,9 +56,12 @@ class PolygonBuilder {
     std::size_t before;  ///< facets that precede it
     std::vector<int> corners;
     std::string place;
+    long first_corner;  ///< its number in the file
   };
   ImportedMesh mesh_;
   std::vector<Polygon> polygons_;
+  std::vector<std::array<long, 3>> file_corners_;
+  long corner_count_ = 0;
 };
 
 }  // namespace partwise::io

@@ -107,6 +107,10 @@ Repaired orient(TriangleSoup soup) {
   for (std::size_t f = 0; f < soup.facets.size(); ++f) {
     if (turns[f] != Turn::over) continue;
     std::swap(soup.facets[f][1], soup.facets[f][2]);
+    if (soup.texture) {
+      auto& places = soup.texture->places[f];
+      std::swap_ranges(places.begin() + 2, places.begin() + 4, places.begin() + 4);
+    }
     ++turned;
   }
   return {std::move(soup), turned};

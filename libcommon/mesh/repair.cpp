@@ -14,16 +14,27 @@
 namespace partwise {
 namespace {
 
+/// \pre `rows` are ascending
+template <class T>
+void keep_rows(std::vector<T>& table, const std::vector<std::size_t>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) table[i] = table[rows[i]];
+  table.resize(rows.size());
+}
+
 /// Keeps the facets for which `keep` holds; counts the others.
 template <class Keep>
 Repaired filter_facets(TriangleSoup soup, Keep&& keep) {
   const std::size_t before = soup.facets.size();
-  std::size_t kept = 0;
+  std::vector<std::size_t> kept;
   for (std::size_t f = 0; f < before; ++f) {
-    if (keep(f)) soup.facets[kept++] = soup.facets[f];
+    if (keep(f)) kept.push_back(f);
   }
-  soup.facets.resize(kept);
-  return {std::move(soup), static_cast<long>(before - kept)};
+  keep_rows(soup.facets, kept);
+  if (soup.texture) {
+    keep_rows(soup.texture->places, kept);
+    if (!soup.texture->images.empty()) keep_rows(soup.texture->images, kept);
+  }
+  return {std::move(soup), static_cast<long>(before - kept.size())};
 }
 
 /// Keeps the vertices for which `keep` holds and numbers facets anew. \pre all vertices of facets are kept

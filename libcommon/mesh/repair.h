@@ -1,6 +1,8 @@
 #pragma once
 
-#include "mesh/types.h"
+#include <optional>
+
+#include "mesh/texture_corners.h"
 
 /// Small repairs of triangle soups, each by itself, on request: nothing is ever repaired silently.
 ///
@@ -11,6 +13,7 @@ namespace partwise {
 struct TriangleSoup {
   Points points;
   Facets facets;
+  std::optional<TextureCorners> texture{};
 };
 
 /// A repaired soup and how many facets or vertices (see each function) the repair concerned.

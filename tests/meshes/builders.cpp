@@ -277,4 +277,19 @@ TriMesh with_opening(const TriMesh& mesh, const Vec3& direction, double size) {
   return TriMesh(std::move(points), std::move(facets));
 }
 
+TextureCorners cylindrical_texture(const TriMesh& mesh) {
+  const auto around = [](const Vec3& p) { return std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5; };
+  TextureCorners corners;
+  for (const auto& [a, b, c] : mesh.facets()) {
+    const Vec3 corner[] = {mesh.point(a), mesh.point(b), mesh.point(c)};
+    const double middle = around(corner[0] + corner[1] + corner[2]);
+    std::array<double, 6>& places = corners.places.emplace_back();
+    for (int i = 0; i < 3; ++i) {
+      places[2 * i] = middle + std::remainder(around(corner[i]) - middle, 1.0);
+      places[2 * i + 1] = corner[i].z();
+    }
+  }
+  return corners;
+}
+
 }  // namespace partwise::tests

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/texture_corners.h"
 #include "mesh/tri_mesh.h"
 
 /// Meshes of known shape for the tests; all are oriented outward and, but for two_spheres, centred at the
@@ -52,5 +53,8 @@ TriMesh with_needles(const TriMesh& mesh, int step, double fraction);
 /// The mesh with an opening in the facet that lies farthest in a direction, `size` times as large as the
 /// facet: one boundary loop of 3 vertices.
 TriMesh with_opening(const TriMesh& mesh, const Vec3& direction, double size);
+
+/// u goes around the z axis once, from 0, and jumps at the seam in the half-plane y = 0, x < 0; v is z.
+TextureCorners cylindrical_texture(const TriMesh& mesh);
 
 }  // namespace partwise::tests

@@ -30,6 +30,42 @@ load setup
   cmp <(convert-mesh a.ply --plain) <(convert-mesh c.ply --plain)
 }
 
+@test "texture coordinates go from OBJ to PLY and back, through repairs" {
+  cat >seam.obj <<'END'
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+v 9 9 9
+vt 0 0
+vt 1 0
+vt 0 1
+vt 0.5 0.5
+vt 9 9
+vt 0.75 0.25
+f 1/1 3/3 2/2
+f 1/1 2/2 4/6
+f 2/2 3/3 4/6
+f 3/3 1/4 4/6
+f 1/1 2/2 2/2
+END
+  run convert-mesh seam.obj -o a.ply --drop-degenerate --drop-unused
+  expect_code 0
+  grep -aq 'property list uchar float texcoord' a.ply
+  document --check a.ply
+  convert-mesh a.ply -o b.ply  # documents keep it, too
+  convert-mesh b.ply -o b.obj
+  convert-mesh b.obj -o c.ply
+  convert-mesh c.ply -o c.obj
+  cmp b.obj c.obj
+  [ "$(grep -c '^vt' b.obj)" = 5 ]
+  grep -q '^vt 0.75 0.25$' b.obj
+  sed 's|^f 1/1 3/3|f 1 3/3|' seam.obj >bare.obj
+  run convert-mesh bare.obj -o bare.ply --drop-degenerate --drop-unused
+  expect_code 0
+  expect_text "1 facets have no texture coordinates although others have"
+}
+
 @test "STL: corners are merged and it is said" {
   sphere 3 s.off
   convert-mesh s.off -o s.stl
@@ -54,7 +90,7 @@ load setup
 }
 
 @test "polygons are cut with a word about it" {
-  printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1 2/2 3/3 4/4\n' > quad.obj
+  printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n' > quad.obj
   run convert-mesh quad.obj -o quad.ply
   expect_code 0
   expect_text "1 facets with more than three corners"

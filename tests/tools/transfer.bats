@@ -117,6 +117,21 @@ painted() {
   jq -e '.metrics.transfer.properties == ["side"]' side.json
 }
 
+@test "texture coordinates come from OBJ and go to OBJ and glTF" {
+  # The unwrapped cube: every facet has places of its own, so every edge is a seam.
+  awk 'NF == 3 && FNR > 2 { print "v", $0 }
+    NF == 4 { print "vt 0 0\nvt 1 0\nvt 0 1"
+      printf "f %d/%d %d/%d %d/%d\n", $2 + 1, 3 * n + 1, $3 + 1, 3 * n + 2, $4 + 1, 3 * n + 3; ++n }' source.off >source.obj
+  transfer map.ply --attributes source.obj -o there.ply
+  jq -e '.metrics.transfer.properties == ["texcoord"]' there.json
+  grep -aq 'property list uchar float texcoord' there.ply
+  convert-mesh there.ply -o there.obj
+  [ "$(grep -c '^v ' there.obj)" = 786 ]
+  [ "$(grep -c '^vt ' there.obj)" -gt 786 ]
+  transfer map.ply --attributes source.obj -o there.glb
+  grep -aq TEXCOORD_0 there.glb
+}
+
 @test "properties that are missing are named, with those that are there" {
   painted painted.ply
   run transfer map.ply --attributes painted.ply --property colour -o x.ply
@@ -124,7 +139,7 @@ painted() {
   expect_text "painted.ply: neither vertices nor facets have a property 'colour' to transfer; there are: red, green, blue, height, side"
   run transfer map.ply --attributes source.off -o x.ply
   expect_code 3
-  expect_text "only PLY"
+  expect_text "no property to transfer but its geometry; PLY files have them"
   convert-mesh source.off -o bare.ply
   run transfer map.ply --attributes bare.ply -o x.ply
   expect_code 3

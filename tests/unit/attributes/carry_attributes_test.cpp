@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "attributes/carry_texture.h"
 #include "attributes/column_values.h"
-#include "attributes/texture_corners.h"
 #include "builders.h"
 #include "deform/facet_correspondence.h"
 #include "error.h"
@@ -60,25 +60,6 @@ const io::Property* find(const std::vector<io::Property>& columns, const std::st
   return nullptr;
 }
 
-/// u goes around the z axis once and jumps at the seam, v along it.
-TextureCorners cylindrical(const TriMesh& mesh) {
-  TextureCorners corners;
-  for (const Facet& facet : mesh.facets()) {
-    std::array<double, 3> u{};
-    for (int i = 0; i < 3; ++i) {
-      const Vec3& p = mesh.point(facet[i]);
-      u[i] = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
-    }
-    const double least = *std::min_element(u.begin(), u.end()), most = *std::max_element(u.begin(), u.end());
-    std::array<double, 6>& places = corners.places.emplace_back();
-    for (int i = 0; i < 3; ++i) {
-      places[2 * i] = most - least > 0.5 && u[i] < 0.5 ? u[i] + 1 : u[i];
-      places[2 * i + 1] = mesh.point(facet[i]).z();
-    }
-  }
-  return corners;
-}
-
 TEST(CarryAttributes, OntoItselfNothingChanges) {
   const TriMesh mesh = tests::bumpy_sphere(4, 0.2);
   const int vertices = mesh.vertex_count(), facets = mesh.facet_count();
@@ -111,7 +92,7 @@ TEST(CarryAttributes, OntoItselfNothingChanges) {
       ASSERT_NE(given, nullptr) << column.name;
       EXPECT_EQ(column.type(), given->type()) << column.name;
       EXPECT_EQ(column.offsets, given->offsets) << column.name;
-      const auto a = numbers_of(column.values), b = numbers_of(given->values);
+      const auto a = io::numbers_of(column.values), b = io::numbers_of(given->values);
       ASSERT_EQ(a.size(), b.size()) << column.name;
       for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-3) << column.name << " " << i;
     }
@@ -126,7 +107,7 @@ TEST(CarryAttributes, RealNumbersAreInterpolated) {
   tables.elements[0].properties.push_back(
       column_of<double>("value", giver.vertex_count(), [&](int v) { return value(giver.point(v)); }));
   const CarriedAttributes carried = carry_attributes(tables, giver, receiver, origins);
-  const auto values = numbers_of(carried.vertex.at(0).values);
+  const auto values = io::numbers_of(carried.vertex.at(0).values);
   for (int v = 0; v < receiver.vertex_count(); ++v) {
     EXPECT_NEAR(values[v], value(position(giver, origins.vertices[v])), 1e-12);
   }
@@ -143,8 +124,9 @@ TEST(CarryAttributes, LabelsAreNeverMixed) {
     return side(giver.point(a).z() + giver.point(b).z() + giver.point(c).z());
   }));
   const CarriedAttributes carried = carry_attributes(tables, giver, receiver, from_closest(giver, receiver));
-  for (const double label : numbers_of(carried.vertex.at(0).values)) EXPECT_TRUE(label == 2 || label == 9);
-  const auto parts = numbers_of(carried.face.at(0).values);
+  for (const double label : io::numbers_of(carried.vertex.at(0).values))
+    EXPECT_TRUE(label == 2 || label == 9);
+  const auto parts = io::numbers_of(carried.face.at(0).values);
   for (int f = 0; f < receiver.facet_count(); ++f) {
     const double z = position(receiver, {f, Vec3::Constant(1.0 / 3)}).z();
     if (std::abs(z) < 0.1) continue;
@@ -170,10 +152,10 @@ TEST(CarryAttributes, SkinningWeightsFollowTheirJoints) {
   }
   ASSERT_NEAR(middle.barycentric.sum(), 1, 1e-12);
   const CarriedAttributes carried = carry_attributes(tables, mesh, mesh, origins);
-  EXPECT_EQ(numbers_of(find(carried.vertex, "joint_0")->values)[0], 5);
-  EXPECT_NEAR(numbers_of(find(carried.vertex, "weight_0")->values)[0], 0.625, 1e-6);
-  EXPECT_EQ(numbers_of(find(carried.vertex, "joint_1")->values)[0], 8);
-  EXPECT_NEAR(numbers_of(find(carried.vertex, "weight_1")->values)[0], 0.375, 1e-6);
+  EXPECT_EQ(io::numbers_of(find(carried.vertex, "joint_0")->values)[0], 5);
+  EXPECT_NEAR(io::numbers_of(find(carried.vertex, "weight_0")->values)[0], 0.625, 1e-6);
+  EXPECT_EQ(io::numbers_of(find(carried.vertex, "joint_1")->values)[0], 8);
+  EXPECT_NEAR(io::numbers_of(find(carried.vertex, "weight_1")->values)[0], 0.375, 1e-6);
 }
 
 TEST(CarryAttributes, SkinningListsKeepTheirSum) {
@@ -190,7 +172,7 @@ TEST(CarryAttributes, SkinningListsKeepTheirSum) {
   tables.elements[0].properties.push_back(io::list_column("weights", weights, 2));
   const CarriedAttributes carried = carry_attributes(tables, giver, receiver, from_closest(giver, receiver));
   const io::Property& found = *find(carried.vertex, "weights");
-  const auto values = numbers_of(found.values);
+  const auto values = io::numbers_of(found.values);
   for (int v = 0; v < receiver.vertex_count(); ++v) {
     ASSERT_LE(found.offsets[v + 1] - found.offsets[v], 2U);
     double sum = 0;
@@ -201,7 +183,7 @@ TEST(CarryAttributes, SkinningListsKeepTheirSum) {
 
 TEST(CarryTexture, NoFacetSpreadsOverASeam) {
   const TriMesh giver = tests::sphere(12), receiver = tests::sphere(9);
-  const TextureCorners given = cylindrical(giver);
+  const TextureCorners given = tests::cylindrical_texture(giver);
   const TextureCorners carried = carry_texture(given, giver, receiver, from_closest(giver, receiver));
   for (int f = 0; f < receiver.facet_count(); ++f) {
     double least = 9, most = -9;

@@ -83,7 +83,58 @@ TEST(Obj, ReadsWhatOthersWrite) {
                                    "f -4 -2 \\\n -1\n");
   EXPECT_EQ(mesh.points, (Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
   EXPECT_EQ(mesh.facets, (Facets{{0, 1, 2}, {0, 2, 3}}));
-  EXPECT_EQ(mesh.ignored.size(), 5U);
+  EXPECT_EQ(mesh.ignored.size(), 3U);
+  EXPECT_EQ(mesh.bare_facets, 2);
+}
+
+TEST(Obj, TextureCoordinatesStayWithTheirCorners) {
+  // A quadrilateral that is cut, and a triangle on another image with places of its own: a seam.
+  const ImportedMesh mesh = parsed(read_obj,
+                                   "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nusemtl fur\n"
+                                   "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.25 0\n"
+                                   "f 1/1 2/2 3/3 4/4\nusemtl nose\nf 2/6 5/5 3/-1\nvt 0.75\n");
+  EXPECT_EQ(mesh.bare_facets, 0);
+  ASSERT_TRUE(mesh.texture);
+  ASSERT_EQ(mesh.facets.size(), 3U);
+  for (int f = 0; f < 2; ++f) {
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(mesh.texture->place(f, i), mesh.points[mesh.facets[f][i]].head<2>());
+    }
+  }
+  EXPECT_EQ(mesh.texture->place(2, 0), Eigen::Vector2d(0.75, 0));
+  EXPECT_EQ(mesh.texture->place(2, 1), Eigen::Vector2d(0.5, 0.25));
+  EXPECT_EQ(mesh.texture->place(2, 2), Eigen::Vector2d(0.5, 0.25));
+  EXPECT_EQ(mesh.texture->images, (std::vector<int>{0, 0, 1}));
+  EXPECT_FALSE(parsed(read_obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1 2 3\n").texture);
+}
+
+TEST_F(MeshFiles, ObjAndPlyKeepTheTexture) {
+  const TriMesh mesh = tests::bumpy_sphere(6, 0.3);
+  const TextureCorners texture = tests::cylindrical_texture(mesh);
+  for (const std::string name : {"t.obj", "t.ply"}) {
+    export_mesh(path(name), mesh.points(), mesh.facets(), true, texture);
+    std::ifstream file(path(name), std::ios::binary);
+    const ImportedMesh back = name == "t.ply" ? import_ply(read_ply(file)) : import_mesh(path(name));
+    EXPECT_EQ(back.facets, mesh.facets());
+    EXPECT_EQ(back.ignored, std::vector<std::string>{});
+    ASSERT_TRUE(back.texture) << name;
+    EXPECT_TRUE(back.texture->images.empty());
+    for (int f = 0; f < mesh.facet_count(); ++f) {
+      for (int i = 0; i < 6; ++i) EXPECT_NEAR(back.texture->places[f][i], texture.places[f][i], kTextureJump);
+    }
+  }
+}
+
+TEST(Obj, NamesFaultyTextureCoordinates) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  EXPECT_NE(fault(read_obj, "vt x 1\n").find("line 1: vt needs a number"), std::string::npos);
+  EXPECT_NE(fault(read_obj, "vt 1 x\n").find("line 1"), std::string::npos);
+  EXPECT_NE(fault(read_obj, "vt nan 0\n").find("line 1"), std::string::npos);
+  EXPECT_NE(fault(read_obj, three + "f 1/0 2 3\n").find("line 4: \"0\" is no texture coordinate"),
+            std::string::npos);
+  EXPECT_NE(
+      fault(read_obj, three + "vt 0 0\nf 1/1 2/1 3/2\n").find("facet 0 names texture coordinate 2 of 1"),
+      std::string::npos);
 }
 
 TEST(Obj, NamesTheFaultyLine) {
@@ -153,6 +204,31 @@ TEST(MeshReaders, RandomDamageNeverCrashes) {
   damage(obj, read_obj);
   damage(off, read_off);
   damage(stl, read_stl);
+}
+
+TEST(ForeignPly, PolygonsKeepTheirTexture) {
+  PlyTables tables;
+  tables.elements = {{"vertex",
+                      4,
+                      {scalar_column("x", std::vector<float>{0, 1, 1, 0}),
+                       scalar_column("y", std::vector<float>{0, 0, 1, 1}),
+                       scalar_column("z", std::vector<float>{0, 0, 0, 0})}},
+                     {"face",
+                      1,
+                      {list_column("vertex_indices", std::vector<int>{0, 1, 2, 3}, 4),
+                       list_column("texcoord", std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, 8),
+                       scalar_column("texnumber", std::vector<std::uint8_t>{2})}}};
+  const ImportedMesh mesh = import_ply(tables);
+  ASSERT_TRUE(mesh.texture);
+  EXPECT_TRUE(mesh.ignored.empty());
+  EXPECT_EQ(mesh.texture->images, (std::vector<int>{2, 2}));
+  for (int f = 0; f < 2; ++f) {
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(mesh.texture->place(f, i), mesh.points[mesh.facets[f][i]].head<2>());
+    }
+  }
+  tables.elements[1].properties[1] = list_column("texcoord", std::vector<float>{0, 0, 1, 0, 1, 1}, 6);
+  EXPECT_THROW(import_ply(tables), InputError);
 }
 
 TEST(ForeignPly, TakesFloatsPolygonsAndNamesWhatItIgnores) {

@@ -91,7 +91,7 @@ TEST_F(Gltf, NormalsAreThoseOfTheShape) {
 TEST_F(Gltf, HasColoursAndTextureCoordinates) {
   ShapeAnimation animation{"ball", mesh.facets(), {mesh.points()}, {"a"}};
   animation.colours.assign(mesh.vertex_count(), {255, 0, 128});
-  animation.texture.assign(mesh.vertex_count(), {0.25, 0.75});
+  animation.texture.emplace().places.assign(mesh.facet_count(), {0.25, 0.75, 0.25, 0.75, 0.25, 0.75});
   const aiScene* scene = read(animation);
   ASSERT_NE(scene, nullptr) << importer.GetErrorString();
   ASSERT_TRUE(scene->mMeshes[0]->HasVertexColors(0));
@@ -102,6 +102,31 @@ TEST_F(Gltf, HasColoursAndTextureCoordinates) {
   ASSERT_TRUE(scene->mMeshes[0]->HasTextureCoords(0));
   EXPECT_NEAR(scene->mMeshes[0]->mTextureCoords[0][5].x, 0.25, 1e-6);
   EXPECT_NEAR(scene->mMeshes[0]->mTextureCoords[0][5].y, 0.75, 1e-6);  // assimp turns v upward again
+}
+
+TEST_F(Gltf, SeamsAreCutWithoutATrace) {
+  ShapeAnimation animation{"ball", mesh.facets(), {mesh.points(), tests::sphere(4).points()}, {"a", "b"}};
+  animation.texture = tests::cylindrical_texture(mesh);
+  animation.seconds = 1;
+  const aiScene* scene = read(animation);
+  ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+  const aiMesh& found = *scene->mMeshes[0];
+  ASSERT_EQ(found.mNumFaces, mesh.facets().size());
+  EXPECT_GT(found.mNumVertices, mesh.points().size());
+  const Points end = shape_at(*scene, scene->mAnimations[0]->mDuration);
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const unsigned v = found.mFaces[f].mIndices[i];
+      const Eigen::Vector2d place(found.mTextureCoords[0][v].x, found.mTextureCoords[0][v].y);
+      EXPECT_LT((place - animation.texture->place(f, i)).norm(), 2e-6);
+      const int own = mesh.facet(f)[i];
+      EXPECT_LT((end[v] - animation.frames[1][own]).norm(), 1e-6) << "the seam opens";
+      const auto normal = [&](unsigned vertex) {
+        return Vec3(found.mNormals[vertex].x, found.mNormals[vertex].y, found.mNormals[vertex].z);
+      };
+      EXPECT_EQ(normal(v), normal(own)) << "the seam shows in the light";
+    }
+  }
 }
 
 TEST_F(Gltf, TheUpwardAxisTurns) {

@@ -1,4 +1,4 @@
-#include "attributes/texture_corners.h"
+#include "attributes/carry_texture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,6 @@ namespace {
 
 using Place = Eigen::Vector2d;
 
-constexpr double kJump = 1e-6;  ///< of texture coordinates, that is a seam
 constexpr int kFacetsAtOnce = 256;
 
 class TextureSource {
@@ -24,13 +23,9 @@ class TextureSource {
   TextureSource(const TextureCorners& given, const TriMesh& giver)
       : given_(given), giver_(giver), walker_(giver) {}
 
-  Place corner(int facet, int corner) const {
-    return {given_.places[facet][2 * corner], given_.places[facet][2 * corner + 1]};
-  }
-
   Place at(const SurfacePoint& point) const {
     Place sum = Place::Zero();
-    for (int i = 0; i < 3; ++i) sum += point.barycentric[i] * corner(point.facet, i);
+    for (int i = 0; i < 3; ++i) sum += point.barycentric[i] * given_.place(point.facet, i);
     return sum;
   }
 
@@ -87,7 +82,8 @@ class TextureSource {
     for (const int i : {edge, (edge + 1) % 3}) {
       const Facet& other = giver_.facet(neighbour);
       const auto j = std::find(other.begin(), other.end(), giver_.facet(facet)[i]) - other.begin();
-      if ((corner(facet, i) - corner(neighbour, static_cast<int>(j))).norm() > kJump) return true;
+      if ((given_.place(facet, i) - given_.place(neighbour, static_cast<int>(j))).norm() > kTextureJump)
+        return true;
     }
     return false;
   }

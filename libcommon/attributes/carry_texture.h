@@ -1,18 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "attributes/origins.h"
+#include "mesh/texture_corners.h"
 #include "mesh/tri_mesh.h"
 
 namespace partwise {
-
-/// Texture coordinates at the corners of facets, so that neighbours may differ: at a seam.
-struct TextureCorners {
-  std::vector<std::array<double, 6>> places;  ///< per facet: u, v of its three corners
-  std::vector<double> images;                 ///< per facet: number of its image; empty: one for all
-};
 
 /// The texture coordinates that a model takes over through a map.
 ///
