@@ -45,7 +45,12 @@ struct LeastSquares::System {
     }
     Matrix rows(term.rows.rows(), unknown_count);
     rows.setFromTriplets(entries.begin(), entries.end());
-    const Matrix weighted = (weight * term.weights).asDiagonal() * rows;
+    Matrix weighted = rows;  // scaled in place: Eigen's product with a diagonal grows entry by entry
+    for (Eigen::Index column = 0; column < weighted.cols(); ++column) {
+      for (Matrix::InnerIterator entry(weighted, column); entry; ++entry) {
+        entry.valueRef() *= weight * term.weights[entry.row()];
+      }
+    }
     const Matrix transposed = rows.transpose();
     matrix += Matrix(transposed * weighted);
     right_hand_sides += weighted.transpose() * targets;
