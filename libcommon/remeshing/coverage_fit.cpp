@@ -14,16 +14,17 @@ namespace {
 /// One round: which target vertices are nearest to which facets, and the moves that bring them nearer.
 class Round {
  public:
-  Round(MeshOnSurface& mesh, const CoverageFitOptions& options)
+  /// \param threshold over the diagonal
+  Round(MeshOnSurface& mesh, double threshold, double least_quality)
       : mesh_(mesh),
         intersections_(mesh),
-        options_(options),
+        least_quality_(least_quality),
         facet_of_(mesh.target().vertex_count()),
         nearest_to_(mesh.source().facet_count()),
         moved_(mesh.points().size(), false),
         attempts_(mesh.points().size(), 0) {
     const SurfaceIndex surface(mesh.points(), mesh.source().facets());
-    const double reach = options.threshold * mesh.target().diagonal();
+    const double reach = threshold * mesh.target().diagonal();
     for (int t = 0; t < mesh.target().vertex_count(); ++t) {
       const SurfaceHit hit = surface.closest(mesh.target().point(t));
       facet_of_[t] = hit.point.facet;
@@ -68,7 +69,7 @@ class Round {
   bool try_move(int vertex, const Vec3& goal) {
     const SurfacePoint old = mesh_.image(vertex);
     const SurfacePoint reached = mesh_.walker().towards(old, goal);
-    if (!mesh_.move_to(vertex, reached, options_.least_quality)) return false;
+    if (!mesh_.move_to(vertex, reached, least_quality_)) return false;
     const double after = local_error(vertex);
     mesh_.place(vertex, old);
     if (after >= local_error(vertex) * (1 - 1e-6)) return false;
@@ -102,7 +103,7 @@ class Round {
 
   MeshOnSurface& mesh_;
   IntersectionGuard intersections_;
-  CoverageFitOptions options_;
+  double least_quality_;
   std::vector<int> facet_of_;
   std::vector<std::vector<int>> nearest_to_;
   std::vector<Far> far_;
@@ -110,16 +111,21 @@ class Round {
   std::vector<int> attempts_;
 };
 
-}  // namespace
-
-int fit_coverage(MeshOnSurface& mesh, const CoverageFitOptions& options) {
+int fit_rounds(MeshOnSurface& mesh, int rounds, double threshold, double least_quality) {
   int total = 0;
-  for (int i = 0; i < options.rounds; ++i) {
-    const int moves = Round(mesh, options).run();
+  for (int i = 0; i < rounds; ++i) {
+    const int moves = Round(mesh, threshold, least_quality).run();
     total += moves;
     if (moves == 0) break;
   }
   return total;
+}
+
+}  // namespace
+
+int fit_coverage(MeshOnSurface& mesh, const CoverageFitOptions& options) {
+  const int moves = fit_rounds(mesh, options.rounds, options.threshold, options.least_quality);
+  return moves + fit_rounds(mesh, options.far_rounds, options.far_threshold, options.far_least_quality);
 }
 
 }  // namespace partwise

@@ -9,9 +9,9 @@ namespace partwise {
 struct RefineOptions {
   /// Two-sided distance to get below, over the target's diagonal; 0: add nothing.
   double error = 0;
-  double limit = 0.2;                      ///< added vertices at most, as a share of the source's own
-  CoverageFitOptions fit = {.rounds = 1};  ///< after each round
-  UnfoldOptions unfold = {};               ///< after that
+  double limit = 0.2;  ///< added vertices at most, as a share of the source's own
+  CoverageFitOptions fit = {.rounds = 1, .far_rounds = 0};  ///< after each round
+  UnfoldOptions unfold = {};                                ///< after that
 };
 
 /// What refine found and did.
