@@ -47,6 +47,17 @@ void declare_options(CLI::App& app, RelocateOptions& options) {
                  "Newton iterations that even out the whole map's distortion")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
+  app.add_option(
+         "--registration-steps", options.registration.steps,
+         "Steps of a registration of the source to the target, by place, normal and relief, that draws the "
+         "map; 0: none")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  app.add_option(
+         "--registration-reach", options.registration.reach,
+         "How far from a vertex's image the registration looks for its match, over the target's diagonal")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--relax-sweeps", options.relax_sweeps, "Sweeps that even out the map's distortion")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
@@ -65,6 +76,10 @@ void declare_options(CLI::App& app, RelocateOptions& options) {
       ->capture_default_str();
   app.add_option("--fit-rounds", options.fit.rounds,
                  "Rounds of pulling vertices to details of the target that the mesh misses")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--fit-far-rounds", options.fit.far_rounds,
+                 "Further rounds for what is missed by 0.2 % of the diagonal, which may flatten facets")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   app.add_option("--fit-threshold", options.fit.threshold,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "error.h"
+#include "geometry/edge_cotangent.h"
 #include "mapping/parallel_parts.h"
 #include "segmentation/seeds.h"
 #include "solve/sparse_cholesky.h"
@@ -10,23 +11,14 @@
 namespace partwise {
 namespace {
 
-constexpr double kLeastWeight = 1e-2;  ///< of an edge; half a cotangent is 0.29 in an equilateral facet
-constexpr double kLargestWeight = 1e2;
 constexpr int kFramesAtOnce = 32;  ///< so that memory does not grow with the number of frames
-
-/// Half the cotangent of the angle between two edges, within bounds; an angle of nothing has the largest.
-double edge_weight(const Vec3& a, const Vec3& b) {
-  const double sine = a.cross(b).norm(), cosine = a.dot(b);
-  if (!(2 * kLargestWeight * sine > cosine)) return cosine > 0 ? kLargestWeight : kLeastWeight;
-  return std::max(kLeastWeight, 0.5 * cosine / sine);
-}
 
 std::array<double, 3> edge_weights(const std::vector<Points>& shapes, const Facet& facet) {
   std::array<double, 3> weights{};
   for (const Points& points : shapes) {
     for (int i = 0; i < 3; ++i) {
       const Vec3& apex = points[facet[(i + 2) % 3]];
-      weights[i] += edge_weight(points[facet[i]] - apex, points[facet[(i + 1) % 3]] - apex) /
+      weights[i] += bounded_half_cotangent(points[facet[i]] - apex, points[facet[(i + 1) % 3]] - apex) /
                     static_cast<double>(shapes.size());
     }
   }

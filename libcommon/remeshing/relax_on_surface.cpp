@@ -21,7 +21,7 @@ using Tangents = std::vector<Eigen::Matrix<double, 3, 2>>;
 
 class Relaxation {
  public:
-  Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales);
+  Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales, const std::vector<VertexTarget>& pulls);
 
   double energy(const Points& points) const;
   double area() const { return area_; }
@@ -38,6 +38,7 @@ class Relaxation {
   void measure_normals();
 
   MeshOnSurface& mesh_;
+  const std::vector<VertexTarget>& pulls_;
   const Facets& facets_;
   std::vector<ReferenceTriangle> references_;
   Points normals_;  // per facet: the target's at its image, unit
@@ -56,8 +57,10 @@ std::vector<bool> pinned(const MeshOnSurface& mesh) {
   return result;
 }
 
-Relaxation::Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales)
+Relaxation::Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales,
+                       const std::vector<VertexTarget>& pulls)
     : mesh_(mesh),
+      pulls_(pulls),
       facets_(mesh.source().facets()),
       // A plane is the surface of a ball so large that its curvature is lost.
       height_(1e5 * mesh.target().diagonal()),
@@ -95,6 +98,9 @@ double Relaxation::energy(const Points& points) const {
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (!normals_[f].isZero(0)) sum += facet(f, points).energy();
   }
+  for (const VertexTarget& pull : pulls_) {
+    sum += pull.weight * (points[pull.vertex] - pull.target).squaredNorm();
+  }
   return sum;
 }
 
@@ -115,6 +121,13 @@ Eigen::VectorXd Relaxation::newton_direction(const Tangents& tangents) {
     blocks[f] = tangent.transpose() * energy.full_hessian() * tangent;
   }
   Eigen::SparseMatrix<double>& hessian = assembly_.assemble(blocks);
+  for (const VertexTarget& pull : pulls_) {
+    const int u = unknowns_[pull.vertex];
+    if (u < 0) continue;
+    const Vec3 rise = 2 * pull.weight * (mesh_.points()[pull.vertex] - pull.target);
+    gradient.segment<2>(2 * u) += tangents[pull.vertex].transpose() * rise;
+    for (int i = 0; i < 2; ++i) hessian.coeffRef(2 * u + i, 2 * u + i) += 2 * pull.weight;
+  }
   // A facet may move as a whole without changing its energy; a mesh without pinned vertices, too.
   const double lift = 1e-9 * hessian.diagonal().cwiseAbs().maxCoeff();
   for (int i = 0; i < hessian.rows(); ++i) hessian.coeffRef(i, i) += lift;
@@ -187,9 +200,10 @@ bool Relaxation::step() {
 }  // namespace
 
 SurfaceRelaxation relax_on_surface(MeshOnSurface& mesh, const std::vector<double>& scales,
-                                   const SurfaceRelaxationOptions& options) {
+                                   const SurfaceRelaxationOptions& options,
+                                   const std::vector<VertexTarget>& pulls) {
   SurfaceRelaxation result;
-  Relaxation relaxation(mesh, scales);
+  Relaxation relaxation(mesh, scales, pulls);
   result.energy_before = result.energy_after = relaxation.energy(mesh.points()) / relaxation.area();
   int small_decreases = 0;
   while (result.iterations < options.iterations && small_decreases < kPatience) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "energy/energy_term.h"
 #include "remeshing/mesh_on_surface.h"
 
 namespace partwise {
@@ -22,7 +23,9 @@ struct SurfaceRelaxation {
 /// Pinned vertices stay. A vertex whose step would fold the map, or flip one more facet of the mesh, takes a
 /// part of it or none; where many do, the energy of the whole may rise again.
 /// \param scales per source facet: how much longer its edges should be on the target
+/// \param pulls places in space that vertices are drawn to: weight |place - target|^2 is added to the energy
 SurfaceRelaxation relax_on_surface(MeshOnSurface& mesh, const std::vector<double>& scales,
-                                   const SurfaceRelaxationOptions& options = {});
+                                   const SurfaceRelaxationOptions& options = {},
+                                   const std::vector<VertexTarget>& pulls = {});
 
 }  // namespace partwise

@@ -36,6 +36,9 @@ void check(const RelocateOptions& options) {
     throw InputError("lambda is " + std::to_string(options.lambda) + "; give a number above 0 and at most 1");
   }
   if (!(options.critical.weight > 0)) throw InputError("the weight of critical points must be positive");
+  if (options.registration.steps < 0)
+    throw InputError("the number of registration steps must not be negative");
+  if (!(options.registration.reach > 0)) throw InputError("the reach of the registration must be positive");
   if (!(options.fit.threshold >= 0)) throw InputError("the threshold of the fit must not be negative");
 }
 
@@ -81,6 +84,7 @@ CompatibleMesh relocate_by_relaxation(const CompatibleMesh& mesh, const Relocate
   MeshOnSurface moving(mesh);
   const std::vector<double> scales = part_scales(mesh);
   relax_on_surface(moving, scales, options.relaxation);  // before features pin what has yet to slide
+  relax_towards_registration(moving, scales, options.registration);
   const std::vector<CriticalPair> pairs = fit_critical_points(moving, mesh.critical_points, options.critical);
   metrics.critical_reached = static_cast<int>(pairs.size());
   for (const CriticalPair& pair : pairs) moving.pin(pair.vertex);

@@ -5,6 +5,7 @@
 #include "remeshing/critical_fit.h"
 #include "remeshing/one_to_one_map.h"
 #include "remeshing/refine.h"
+#include "remeshing/registration.h"
 #include "remeshing/relax_on_surface.h"
 #include "remeshing/umbrella.h"
 #include "remeshing/unfold.h"
@@ -24,6 +25,7 @@ struct RelocateOptions {
   LaplacianKind umbrella_weights = LaplacianKind::mean_value;  ///< of method umbrella; uniform for comparison
   int relax_sweeps = 10;                                       ///< of distortion, after the rounds; >= 0
   SurfaceRelaxationOptions relaxation = {};
+  RegistrationOptions registration = {};
   CriticalFitOptions critical = {};
   CoverageFitOptions fit = {};
   UnfoldOptions unfold = {};
@@ -49,10 +51,11 @@ struct Relocation {
 };
 
 /// Moves the vertices of a compatible mesh over the target, so that it takes the target's features and its
-/// facets the source's shape ([Wu11] 6.1.2, 6.2): relaxation of the whole map (relax_on_surface), critical
-/// points (Eq. (17)), vertex relocation by the source's mean-value weights (Eq. (18)), then again relaxation
-/// of the map's distortion (towards the source's facets, scaled as their part is), unfolding of what is
-/// flipped, and a fit of what is missed.
+/// facets the source's shape ([Wu11] 6.1.2, 6.2): relaxation of the whole map (relax_on_surface), first alone
+/// and then drawn to a registration of the source (relax_towards_registration), critical points (Eq. (17)),
+/// vertex relocation by the source's mean-value weights (Eq. (18)), then again relaxation of the map's
+/// distortion (towards the source's facets, scaled as their part is), unfolding of what is flipped, and a fit
+/// of what is missed.
 ///
 /// Every vertex stays exactly on the target and the map is kept. Markers (at source vertices), critical
 /// points that were reached, and the boundary of an open source stay in place during relocation. No step adds
