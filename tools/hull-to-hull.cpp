@@ -41,6 +41,10 @@ io::Json metrics_of(const HullToHull& result) {
                      {"rms_distance", curve.shift->rms_distance},
                      {"other_shift", curve.shift->other_shift},
                      {"other_rms_distance", curve.shift->other_rms_distance}});
+    if (!curve.shift->strain) continue;
+    turns.back().update({{"strain", *curve.shift->strain},
+                         {"rival_shift", curve.shift->rival_shift},
+                         {"rival_strain", *curve.shift->rival_strain}});
   }
   return {{"one_to_one", one_to_one},
           {"folds", folds},

@@ -39,6 +39,7 @@ io::Json metrics_of(const Reconstruction& result, Coordinates coordinates) {
     metrics.update(io::chart_metrics(result.metrics.charts, result.mesh.part_names));
     metrics["moved_vertices"] = result.metrics.moved_vertices;
     metrics["curves_held"] = result.metrics.curves_held;
+    metrics["placed_markers"] = result.metrics.placed_markers;
   }
   if (coordinates != Coordinates::facet) metrics["largest_projection"] = result.metrics.largest_projection;
   return metrics;

@@ -64,14 +64,14 @@ class CurvePlacer {
         source_(pair.source.mesh, pair.source.segmentation.curves[curves.source_curve], curves.reversed),
         target_(pair.target.mesh, pair.target.segmentation.curves[curves.target_curve], false) {}
 
-  CurveCorrespondence correspondence();
+  CurveCorrespondence correspondence(const CurveTurns& turns);
   void place_vertices(std::map<int, BoundaryPlacement>& placements) const;
   std::vector<std::string> warnings;
 
  private:
   void find_anchors();
   void require_equal_order() const;
-  LoopShift turn() const;
+  LoopShift turn(const CurveTurns& turns) const;
   std::string where() const;
 
   const ModelPair& pair_;
@@ -121,16 +121,18 @@ void CurvePlacer::require_equal_order() const {
   }
 }
 
-LoopShift CurvePlacer::turn() const {
+LoopShift CurvePlacer::turn(const CurveTurns& turns) const {
   const BoundaryCurve& curve = pair_.target.segmentation.curves[curves_.target_curve];
   const Eigen::Affine3d local = align_around(pair_, {curve.left, curve.right}, alignment_);
   Points source, target;
   for (const int v : source_.vertices) source.push_back(local * pair_.source.mesh.point(v));
   for (const int v : target_.vertices) target.push_back(pair_.target.mesh.point(v));
-  return best_shift(source, target, pair_.target.mesh.diagonal());
+  const double l = pair_.target.mesh.diagonal();
+  const auto given = turns.find(curves_.source_curve);
+  return given == turns.end() ? best_shift(source, target, l) : given_shift(source, target, l, given->second);
 }
 
-CurveCorrespondence CurvePlacer::correspondence() {
+CurveCorrespondence CurvePlacer::correspondence(const CurveTurns& turns) {
   CurveCorrespondence result{curves_, {}, std::nullopt};
   if (!source_.closed) {
     knots_ = {{0, 0, ""}, {source_.length(), target_.length(), ""}};
@@ -138,7 +140,7 @@ CurveCorrespondence CurvePlacer::correspondence() {
   } else {
     find_anchors();
     if (knots_.empty()) {
-      result.shift = turn();
+      result.shift = turn(turns);
       knots_.push_back({0, result.shift->shift * target_.length(), ""});
     }
     // Count the target's lengths from the first anchor on, over the chain's end, and close the round.
@@ -192,7 +194,7 @@ std::vector<std::string> check_anchors(const ModelPair& pair, const std::vector<
 
 }  // namespace
 
-BoundaryCorrespondence match_boundaries(const ModelPair& pair) {
+BoundaryCorrespondence match_boundaries(const ModelPair& pair, const CurveTurns& turns) {
   const Eigen::Affine3d alignment = align_models(pair);
   const std::vector<CurvePair> curves = match_curves(pair, alignment);
   BoundaryCorrespondence result;
@@ -200,7 +202,7 @@ BoundaryCorrespondence match_boundaries(const ModelPair& pair) {
   std::map<int, BoundaryPlacement> placements;
   for (const CurvePair& c : curves) {
     CurvePlacer placer(pair, c, alignment);
-    result.curves.push_back(placer.correspondence());
+    result.curves.push_back(placer.correspondence(turns));
     placer.place_vertices(placements);
     result.warnings.insert(result.warnings.end(), placer.warnings.begin(), placer.warnings.end());
   }

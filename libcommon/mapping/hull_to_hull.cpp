@@ -1,12 +1,12 @@
 #include "mapping/hull_to_hull.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
 
 #include "error.h"
+#include "mapping/loop_turns.h"
 #include "mapping/parallel_parts.h"
 #include "mapping/part_crossing.h"
 #include "segmentation/compatibility.h"
@@ -41,7 +41,7 @@ void require_compatible(const SegmentedModel& source, const SegmentedModel& targ
 /// A turn that is hardly better than another one deserves a word.
 void warn_of_uncertain_turns(const ModelPair& pair, HullToHull& result) {
   for (const CurveCorrespondence& curve : result.boundary.curves) {
-    if (!curve.shift || curve.shift->other_rms_distance > 1.25 * curve.shift->rms_distance) continue;
+    if (!curve.shift || !is_uncertain(*curve.shift)) continue;
     const Segmentation& target = pair.target.segmentation;
     const BoundaryCurve& there = target.curves[curve.curves.target_curve];
     const std::string other =
@@ -68,7 +68,11 @@ void warn_of_markers(HullToHull& result) {
 HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target, const HullToHullOptions& options) {
   require_compatible(source.hulled.model, target.hulled.model);
   const ModelPair pair = pair_models(source.hulled.model, target.hulled.model);
-  HullToHull result{{pair.source, target, {}, {}, {}, pair.markers}, match_boundaries(pair), {}, {}, {}};
+  HullToHull result{{pair.source, target, {}, {}, {}, pair.markers},
+                    choose_turns(pair, source, target, match_boundaries(pair)),
+                    {},
+                    {},
+                    {}};
   result.warnings = pair.warnings;
   result.warnings.insert(result.warnings.end(), result.boundary.warnings.begin(),
                          result.boundary.warnings.end());
@@ -76,10 +80,7 @@ HullToHull map_hull_to_hull(const HullMap& source, const HullMap& target, const 
   const Eigen::Affine3d alignment = align_models(pair);
   std::vector<PartToHull::Result> mapped(parts);
   for_each_part(parts, [&](int k) {
-    const Eigen::Matrix3d upright = align_around(pair, {k}, alignment).linear();
-    const PartToHull part(pair, source, target, result.boundary.placements, k,
-                          upright / std::cbrt(upright.determinant()));
-    mapped[k] = part.run(options);
+    mapped[k] = PartToHull(pair, source, target, result.boundary.placements, k, alignment).run(options);
   });
 
   CrossMap& map = result.map;

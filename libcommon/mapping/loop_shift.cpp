@@ -53,37 +53,68 @@ double circular_distance(double a, double b) {
   return std::min(d, 1 - d);
 }
 
+/// How far two closed curves are apart, turn by turn.
+class Turns {
+ public:
+  Turns(const Points& source, const Points& target, double diagonal)
+      : to_(target), diagonal_(diagonal), centre_(Vec3::Zero()) {
+    const Loop from(source);
+    from_ = samples(from, kSamples, to_.length() / from.length());
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      centre_ += to_.at(static_cast<double>(i) / kSamples) / kSamples;
+      shifts_.push_back(static_cast<double>(i) / kSamples);
+    }
+    shifts_.insert(shifts_.begin(), to_.fractions().begin(), to_.fractions().end() - 1);
+    for (const double shift : shifts_) distances_.push_back(rms_distance(shift));
+  }
+
+  double best() const {
+    return shifts_[std::min_element(distances_.begin(), distances_.end()) - distances_.begin()];
+  }
+
+  LoopShift beside_others(double shift) const {
+    LoopShift result;
+    result.shift = result.other_shift = shift;
+    result.rms_distance = rms_distance(shift);
+    result.other_rms_distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < shifts_.size(); ++i) {
+      const bool apart = circular_distance(shifts_[i], shift) >= kApart;
+      if (!apart || distances_[i] >= result.other_rms_distance) continue;
+      result.other_shift = shifts_[i];
+      result.other_rms_distance = distances_[i];
+    }
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t kSamples = 256;
+  static constexpr double kApart = 1.0 / 16;
+
+  double rms_distance(double shift) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      const Vec3 there = to_.at(static_cast<double>(i) / kSamples + shift) - centre_;
+      sum += (from_[i] - there).squaredNorm();
+    }
+    return std::sqrt(sum / kSamples) / diagonal_;
+  }
+
+  const Loop to_;
+  const double diagonal_;
+  Points from_;
+  Vec3 centre_;
+  std::vector<double> shifts_, distances_;
+};
+
 }  // namespace
 
 LoopShift best_shift(const Points& source, const Points& target, double diagonal) {
-  constexpr std::size_t kSamples = 256;
-  constexpr double kApart = 1.0 / 16;
-  const Loop from(source), to(target);
-  const Points from_samples = samples(from, kSamples, to.length() / from.length());
-  Vec3 centre = Vec3::Zero();
-  for (std::size_t i = 0; i < kSamples; ++i) centre += to.at(static_cast<double>(i) / kSamples) / kSamples;
+  const Turns turns(source, target, diagonal);
+  return turns.beside_others(turns.best());
+}
 
-  std::vector<double> candidates(to.fractions().begin(), to.fractions().end() - 1);
-  for (std::size_t i = 0; i < kSamples; ++i) candidates.push_back(static_cast<double>(i) / kSamples);
-  std::vector<double> costs;
-  for (const double shift : candidates) {
-    double sum = 0;
-    for (std::size_t i = 0; i < kSamples; ++i) {
-      const Vec3 there = to.at(static_cast<double>(i) / kSamples + shift) - centre;
-      sum += (from_samples[i] - there).squaredNorm();
-    }
-    costs.push_back(std::sqrt(sum / kSamples) / diagonal);
-  }
-  const std::size_t best =
-      static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-  LoopShift result{candidates[best], costs[best], candidates[best], std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool apart = circular_distance(candidates[i], candidates[best]) >= kApart;
-    if (!apart || costs[i] >= result.other_rms_distance) continue;
-    result.other_shift = candidates[i];
-    result.other_rms_distance = costs[i];
-  }
-  return result;
+LoopShift given_shift(const Points& source, const Points& target, double diagonal, double shift) {
+  return Turns(source, target, diagonal).beside_others(shift);
 }
 
 }  // namespace partwise

@@ -12,4 +12,7 @@ namespace partwise {
 /// and 256 between; so a copy finds itself exactly. \param diagonal the target model's, the unit of distances
 LoopShift best_shift(const Points& source, const Points& target, double diagonal);
 
+/// The same for a given turn: its distance, and the best other one.
+LoopShift given_shift(const Points& source, const Points& target, double diagonal, double shift);
+
 }  // namespace partwise

@@ -3,6 +3,8 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "geometry/orientation.h"
@@ -38,7 +40,7 @@ Vec3 at(const Facet& f, const Vec3& barycentric, const Points& points) {
 
 PartToHull::PartToHull(const ModelPair& pair, const HullMap& source, const HullMap& target,
                        const std::vector<BoundaryPlacement>& placements, int part,
-                       const Eigen::Matrix3d& upright)
+                       const Eigen::Affine3d& alignment)
     : pair_(pair),
       source_(source.hulled.parts[pair.source_part[part]]),
       target_(target.hulled.parts[part]),
@@ -56,7 +58,7 @@ PartToHull::PartToHull(const ModelPair& pair, const HullMap& source, const HullM
   pin_boundary(placements);
   pin_caps(placements);
   find_markers();
-  align(upright);
+  align(alignment);
 }
 
 void PartToHull::pin_boundary(const std::vector<BoundaryPlacement>& placements) {
@@ -99,7 +101,9 @@ void PartToHull::find_markers() {
   }
 }
 
-void PartToHull::align(const Eigen::Matrix3d& upright) {
+void PartToHull::align(const Eigen::Affine3d& alignment) {
+  const Eigen::Matrix3d around = align_around(pair_, {part_}, alignment).linear();
+  const Eigen::Matrix3d upright = around / std::cbrt(around.determinant());
   MatchedPoints matched;
   // Loops, caps and markers count alike, however finely a loop is cut.
   const auto caps = static_cast<double>(source_.cap_vertices.size());
@@ -222,6 +226,23 @@ PinnedMap PartToHull::pinned(const std::vector<Pin>& markers, const std::vector<
   for (const Pin& pin : all) result.images[pin.vertex] = pin.goal;
   result.folds = hull_folds(result.images, facets, Vec3::Zero()).count();
   return result;
+}
+
+double PartToHull::strain() const {
+  if (hull_folds(start_, source_.mesh.facets(), Vec3::Zero()).count() > 0) {
+    return std::numeric_limits<double>::infinity();
+  }
+  HullRelaxationOptions drawing;
+  drawing.pulls = pins_;
+  for (const MarkerPin& marker : marker_pins()) drawing.pulls.push_back(marker.pin);
+  drawing.pull_weight = 1e2;
+  drawing.rounding = {0.2};
+  drawing.most_iterations = 15;
+  const Points images = relax_on_hull(source_.mesh, weights_, hull_, start_, {}, drawing).images;
+  double left = 0;
+  for (const Pin& pull : drawing.pulls) left += (images[pull.vertex] - pull.goal).squaredNorm();
+  return hull_distortion(source_.mesh, weights_, hull_, images) - 1 +
+         drawing.pull_weight * left / (4 * hull_.area());
 }
 
 /// Folded facets that have a corner off the boundary: the others are as their boundary makes them.

@@ -13,9 +13,9 @@ namespace partwise {
 class PartToHull {
  public:
   /// \param part in the target's order
-  /// \param upright the rotation to fall back on where the part's fixed points leave it open
+  /// \param alignment of the models; decides how the part is turned where its fixed points leave that open
   PartToHull(const ModelPair& pair, const HullMap& source, const HullMap& target,
-             const std::vector<BoundaryPlacement>& placements, int part, const Eigen::Matrix3d& upright);
+             const std::vector<BoundaryPlacement>& placements, int part, const Eigen::Affine3d& alignment);
 
   struct Result {
     Points images;  ///< per local vertex of the source's part, in the target's space
@@ -24,6 +24,11 @@ class PartToHull {
     std::vector<bool> marker_held;         ///< per marker constraint: false when it was let go
   };
   Result run(const HullToHullOptions& options) const;
+
+  /// How much the part resists its places, in a few steps: its distortion beyond that of an isometry once it
+  /// is drawn there, and what is left to draw. Infinite when its own map Q^s has folds.
+  double strain() const;
+  double area() const { return hull_.area(); }  ///< of the target's hull
 
  private:
   /// A marker of this part: its point in local facets of both parts, and where it belongs.
@@ -42,7 +47,7 @@ class PartToHull {
   void pin_boundary(const std::vector<BoundaryPlacement>& placements);
   void pin_caps(const std::vector<BoundaryPlacement>& placements);
   void find_markers();
-  void align(const Eigen::Matrix3d& upright);
+  void align(const Eigen::Affine3d& alignment);
   std::vector<MarkerPin> marker_pins() const;
   void place_exactly(const MarkerPin& pin, Points& images) const;
   Vec3 marker_image(const LocalMarker& marker, const Points& images) const;

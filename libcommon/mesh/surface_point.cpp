@@ -8,6 +8,12 @@
 
 namespace partwise {
 
+std::optional<int> vertex_at(const TriMesh& mesh, const SurfacePoint& point) {
+  int corner = 0;
+  if (point.barycentric.maxCoeff(&corner) < 1 - 1e-12) return {};
+  return mesh.facet(point.facet)[corner];
+}
+
 SurfaceMap::SurfaceMap(const TriMesh& source, const TriMesh& target, std::vector<SurfacePoint> images)
     : target_key_(target.key()), images_(std::move(images)) {
   if (static_cast<int>(images_.size()) != source.vertex_count()) {

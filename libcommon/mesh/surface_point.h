@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mesh/tri_mesh.h"
 
 namespace partwise {
@@ -16,6 +18,10 @@ inline Vec3 position(const TriMesh& mesh, const SurfacePoint& point) {
   return point.barycentric[0] * mesh.point(f[0]) + point.barycentric[1] * mesh.point(f[1]) +
          point.barycentric[2] * mesh.point(f[2]);
 }
+
+/// The vertex of `mesh` that a point of it is, within rounding; nothing when it lies inside a facet or an
+/// edge.
+std::optional<int> vertex_at(const TriMesh& mesh, const SurfacePoint& point);
 
 /// Image on a target mesh of every vertex of a source mesh. Knows both meshes: using it with others throws.
 class SurfaceMap {

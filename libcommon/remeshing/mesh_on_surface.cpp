@@ -22,10 +22,7 @@ MeshOnSurface::MeshOnSurface(const CompatibleMesh& mesh)
     pinned_[v] = source_.half_edges().is_boundary(OpenMesh::VertexHandle(v)) || guard_.is_held(v);
   }
   for (const MarkerPair& marker : mesh.markers) {
-    int corner = 0;
-    if (marker.source.barycentric.maxCoeff(&corner) > 1 - 1e-12) {
-      pinned_[source_.facet(marker.source.facet)[corner]] = true;
-    }
+    if (const std::optional<int> v = vertex_at(source_, marker.source)) pinned_[*v] = true;
   }
 }
 

@@ -48,10 +48,7 @@ std::optional<Chart> whole_chart(const CompatibleMesh& mesh) {
 std::vector<bool> held_vertices(const CompatibleMesh& mesh, const RefinedSource& source, bool curves) {
   std::vector<bool> held(source.split.mesh.vertex_count(), false);
   for (const MarkerPair& marker : mesh.markers) {
-    int corner = 0;
-    if (marker.source.barycentric.maxCoeff(&corner) > 1 - 1e-12) {
-      held[mesh.source.facet(marker.source.facet)[corner]] = true;
-    }
+    if (const std::optional<int> v = vertex_at(mesh.source, marker.source)) held[*v] = true;
   }
   if (!curves) return held;
   std::vector<int> part(held.size(), -1);
@@ -62,6 +59,37 @@ std::vector<bool> held_vertices(const CompatibleMesh& mesh, const RefinedSource&
     }
   }
   return held;
+}
+
+CompatibleMesh with_images(const CompatibleMesh& mesh, const std::vector<SurfacePoint>& images) {
+  CompatibleMesh result = mesh;
+  const auto originals = static_cast<std::ptrdiff_t>(mesh.points.size());
+  result.map = SurfaceMap(mesh.source, mesh.target, {images.begin(), images.begin() + originals});
+  result.points = result.map.positions(mesh.target);
+  for (std::size_t i = 0; i < result.added_vertices.size(); ++i) {
+    result.added_vertices[i].image = images[mesh.points.size() + i];
+  }
+  return result;
+}
+
+/// A map whose markers at source vertices are where they belong, whatever folds that makes.
+struct PlacedMarkers {
+  CompatibleMesh mesh;
+  std::vector<std::string> names;  ///< of those that were elsewhere
+};
+
+PlacedMarkers with_markers_in_place(const CompatibleMesh& mesh) {
+  const double near = 1e-9 * mesh.target.diagonal();
+  PlacedMarkers placed{mesh, {}};
+  std::vector<SurfacePoint> images = mesh.map.images();
+  for (const MarkerPair& marker : mesh.markers) {
+    const std::optional<int> v = vertex_at(mesh.source, marker.source);
+    if (!v || (mesh.points[*v] - position(mesh.target, marker.target)).norm() <= near) continue;
+    images[*v] = marker.target;
+    placed.names.push_back(marker.name);
+  }
+  placed.mesh = with_images(mesh, images);
+  return placed;
 }
 
 /// New images of the vertices of one chart that had to move.
@@ -102,17 +130,6 @@ Moves unfold_chart(const RefinedSource& source, const std::vector<bool>& inside,
     moves.images.emplace_back(piece.model_vertex[v], locator.on_model(local));
   }
   return moves;
-}
-
-CompatibleMesh with_images(const CompatibleMesh& mesh, const std::vector<SurfacePoint>& images) {
-  CompatibleMesh result = mesh;
-  const auto originals = static_cast<std::ptrdiff_t>(mesh.points.size());
-  result.map = SurfaceMap(mesh.source, mesh.target, {images.begin(), images.begin() + originals});
-  result.points = result.map.positions(mesh.target);
-  for (std::size_t i = 0; i < result.added_vertices.size(); ++i) {
-    result.added_vertices[i].image = images[mesh.points.size() + i];
-  }
-  return result;
 }
 
 ChartFigures check_chart(const Chart& chart, const RefinedSource& source, const ChartTarget& target,
@@ -224,15 +241,21 @@ std::vector<SurfacePoint> inverse_map(const CompatibleMesh& mesh) {
 
 OneToOneMap make_one_to_one(const CompatibleMesh& mesh, const std::vector<Chart>& part_charts) {
   std::vector<OneToOneMap> tries;
-  auto succeeds_on = [&](const std::vector<Chart>& charts, bool hold_curves) {
-    CompatibleMesh start = mesh;
+  auto succeeds_on = [&](const std::vector<Chart>& charts, const CompatibleMesh& from, bool hold_curves) {
+    CompatibleMesh start = from;
     start.charts = charts;
     tries.push_back(unfold_on(std::move(start), hold_curves));
     return all_one_to_one(tries.back().charts);
   };
+  auto succeeds_as_whole = [&](const Chart& whole, const CompatibleMesh& from) {
+    return succeeds_on({whole}, from, true) || succeeds_on({whole}, from, false);
+  };
   const std::optional<Chart> whole = whole_chart(mesh);
-  const bool done = (whole && (succeeds_on({*whole}, true) || succeeds_on({*whole}, false))) ||
-                    succeeds_on(part_charts, true);
+  const PlacedMarkers placed = with_markers_in_place(mesh);
+  const bool done_with_markers = whole && !placed.names.empty() && succeeds_as_whole(*whole, placed.mesh);
+  if (done_with_markers) tries.back().placed_markers = placed.names;
+  const bool done =
+      done_with_markers || (whole && succeeds_as_whole(*whole, mesh)) || succeeds_on(part_charts, mesh, true);
   if (done) {
     tries.back().mesh.inverse = inverse_map(tries.back().mesh);
   } else {

@@ -23,6 +23,7 @@ struct OneToOneMap {
   std::vector<ChartFigures> charts;
   int moved_vertices = 0;   ///< that had to move for it
   bool curves_held = true;  ///< false: source vertices left the boundary curves between parts for it
+  std::vector<std::string> placed_markers = {};  ///< that the given map had elsewhere
 
   bool one_to_one() const { return !mesh.charts.empty(); }
 };
@@ -33,8 +34,10 @@ struct OneToOneMap {
 /// two corners on a seam cuts its bends short. So when both surfaces are spheres once their boundaries are
 /// capped, the target is embedded as a whole (embed_progressively), the source is carried over by its
 /// images, and the vertices around folds move until none is left; markers and the mesh's own boundary stay,
-/// curves between parts as long as that succeeds. Other surfaces are taken part by part on the parts' hulls,
-/// seams held: the target's vertices there are added to the source, so that both boundaries are one.
+/// curves between parts as long as that succeeds. A marker that is not where it belongs, because the boundary
+/// of its part is in the way, is first put there: on the whole surface nothing need be in its way. Where that
+/// leaves folds, the map is made one-to-one without. Other surfaces are taken part by part on the parts'
+/// hulls, seams held: the target's vertices there are added to the source, so that both boundaries are one.
 ///
 /// \param part_charts one chart per part, see charts_of_parts
 /// \pre mesh has no charts yet

@@ -160,9 +160,9 @@ class Placement {
   /// A marker at a source vertex that came out at its goal within rounding is put exactly there.
   void hit_markers() {
     for (const MarkerPair& marker : map_.markers) {
-      int corner = 0;
-      if (marker.source.barycentric.maxCoeff(&corner) < 1 - 1e-12) continue;
-      SurfacePoint& image = candidates_[source_.facet(marker.source.facet)[corner]].front();
+      const std::optional<int> v = vertex_at(source_, marker.source);
+      if (!v) continue;
+      SurfacePoint& image = candidates_[*v].front();
       const double distance = (position(target_, image) - position(target_, marker.target)).norm();
       if (distance <= 1e-6 * target_.diagonal()) image = marker.target;
     }
@@ -211,6 +211,7 @@ Reconstruction reconstruct(const CrossMap& map, const ReconstructOptions& option
   metrics.charts = std::move(whole.charts);
   metrics.moved_vertices = whole.moved_vertices;
   metrics.curves_held = whole.curves_held;
+  metrics.placed_markers = std::move(whole.placed_markers);
   return {std::move(whole.mesh), std::move(metrics)};
 }
 

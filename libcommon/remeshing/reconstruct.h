@@ -31,6 +31,7 @@ struct ReconstructMetrics {
       charts;               ///< on which the whole map was unfolded; empty when that was not asked for
   int moved_vertices = 0;   ///< by that
   bool curves_held = true;  ///< false: source vertices left the curves between parts for it
+  std::vector<std::string> placed_markers;  ///< released on the hulls, brought to their places by it
 };
 
 struct Reconstruction {

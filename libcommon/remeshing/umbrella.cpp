@@ -20,10 +20,7 @@ std::vector<bool> held_vertices(const CompatibleMesh& mesh) {
     held[v] = mesh.source.half_edges().is_boundary(OpenMesh::VertexHandle(static_cast<int>(v)));
   }
   for (const MarkerPair& marker : mesh.markers) {
-    int corner = 0;
-    if (marker.source.barycentric.maxCoeff(&corner) > 1 - 1e-12) {
-      held[mesh.source.facet(marker.source.facet)[corner]] = true;
-    }
+    if (const std::optional<int> v = vertex_at(mesh.source, marker.source)) held[*v] = true;
   }
   return held;
 }

@@ -166,6 +166,44 @@ TEST(HullToHull, OpenMeshes) {
   expect_one_to_one(result);
 }
 
+/// A limb along x in two halves, round or with an oblong section that is thicker at one end, turned about x.
+SegmentedModel limb(int around, bool is_round, double turn) {
+  const TriMesh tube = tests::capsule(3, around, 24);
+  const Eigen::AngleAxisd about_x(turn, Vec3::UnitX());
+  Points points;
+  for (const Vec3& p : tube.points()) {
+    const Vec3 section =
+        is_round ? p : Vec3(2 * p.x() + 0.4 * p.x() * p.x(), p.y() * (1 + 0.3 * p.x()), p.z());
+    points.push_back(about_x * Vec3(section.z(), section.x(), section.y()));
+  }
+  return octant_model(tube.with_points(points), 1);
+}
+
+TEST(HullToHull, TheTurnOfARoundLimbIsUncertain) {
+  const HullToHull result = map_hull_to_hull(hull_map(limb(16, true, 0)), hull_map(limb(20, true, 0)));
+  expect_one_to_one(result);
+  const LoopShift& shift = *result.boundary.curves.at(0).shift;
+  EXPECT_NEAR(*shift.rival_strain, *shift.strain, 0.02);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_NE(result.warnings[0].find("how the boundary between 'p0' and 'p1' is turned is uncertain"),
+            std::string::npos);
+}
+
+TEST(HullToHull, AnOblongLimbIsTurnedAsItDistortsLeast) {
+  // Both centroids lie on the axis: how the models lie says nothing of the quarter turn about it.
+  const SegmentedModel model = limb(16, false, 0), turned = limb(16, false, M_PI / 2);
+  const HullToHull result = map_hull_to_hull(hull_map(model), hull_map(turned));
+  expect_one_to_one(result);
+  const LoopShift& shift = *result.boundary.curves.at(0).shift;
+  EXPECT_GT(*shift.rival_strain, *shift.strain + 0.05);
+  EXPECT_TRUE(result.warnings.empty());
+  for (const BoundaryPlacement& p : result.map.boundary) {
+    const Vec3 place =
+        (1 - p.fraction) * turned.mesh.point(p.target_a) + p.fraction * turned.mesh.point(p.target_b);
+    EXPECT_LT((place - turned.mesh.point(p.source_vertex)).norm(), 0.05 * turned.mesh.diagonal());
+  }
+}
+
 TEST(HullToHull, SliversAndTinyOpeningsAreOneToOneOrNamed) {
   constexpr double kTiny = 1e-6;
   const Vec3 aside(1, 0.2, 0.3);
