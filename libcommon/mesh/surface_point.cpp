@@ -1,5 +1,6 @@
 #include "mesh/surface_point.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -7,6 +8,17 @@
 #include "error.h"
 
 namespace partwise {
+
+SurfacePoint vertex_point(const TriMesh& mesh, int vertex) {
+  int facet = mesh.facet_count();
+  for (const OpenMesh::FaceHandle f : mesh.half_edges().vf_range(OpenMesh::VertexHandle(vertex))) {
+    facet = std::min(facet, f.idx());
+  }
+  SurfacePoint point{facet, Vec3::Zero()};
+  const Facet& corners = mesh.facet(facet);
+  point.barycentric[std::find(corners.begin(), corners.end(), vertex) - corners.begin()] = 1;
+  return point;
+}
 
 SurfaceMap::SurfaceMap(const TriMesh& source, const TriMesh& target, std::vector<SurfacePoint> images)
     : target_key_(target.key()), images_(std::move(images)) {
