@@ -7,7 +7,7 @@
 # for each, and RESULTS/poses.glb with all. ATTRIBUTES is a PLY of the same mesh with colours, labels, texture
 # coordinates and so on: RESULTS/attributes.ply. RESULTS is OUT/transfer (OUT/transfer-reverse) unless it is given.
 # CORRESPONDENCE=hull takes poses over as the paper does, by facets near each other on the common hulls.
-# TRANSFER_FLAGS are further options of transfer. SOURCE, SOURCE_SKETCH, TARGET and TARGET_SKETCH make the pair as
+# `strip` makes RESULTS/attributes.png, both models in their colours (POV-Ray). TRANSFER_FLAGS are further options of transfer. SOURCE, SOURCE_SKETCH, TARGET and TARGET_SKETCH make the pair as
 # cross-parameterize.mk does; without, it must have been made in OUT.
 include $(dir $(lastword $(MAKEFILE_LIST)))$(if $(SOURCE),cross-parameterize,stages).mk
 
@@ -26,7 +26,7 @@ transfer_settings = $(call settings,$(RESULTS)/.settings/$(1),$(2) $(CORRESPONDE
 poses := $(foreach pose,$(POSES),$(call document,$(RESULTS)/poses/$(basename $(notdir $(pose)))))
 
 .DEFAULT_GOAL := transfer
-.PHONY: transfer
+.PHONY: transfer strip
 transfer: $(poses) $(if $(POSES),$(RESULTS)/poses.glb) $(if $(ATTRIBUTES),$(call document,$(RESULTS)/attributes))
 
 ifneq ($(strip $(POSES)),)
@@ -40,4 +40,12 @@ $(call document,$(RESULTS)/attributes) &: $(call document,$(OUT)/compatible) $(A
   transfer_settings,attributes,$(ATTRIBUTES))
 	'$(PARTWISE_BIN)/transfer' $(OUT)/compatible.ply --attributes $(ATTRIBUTES) $(transfer_options) --force \
 	  -o $(RESULTS)/attributes.ply
+
+PICTURE_WIDTH ?= 600
+strip: $(RESULTS)/attributes.png
+$(RESULTS)/attributes.png: $(RESULTS)/attributes.pov
+	$(call povray,$(RESULTS),attributes)
+$(RESULTS)/attributes.pov: $(call document,$(RESULTS)/attributes) $(call settings,$(RESULTS)/.settings/strip,$(PICTURE_WIDTH))
+	'$(PARTWISE_BIN)/picture' $(ATTRIBUTES) $(RESULTS)/attributes.ply --caption=given --caption=transferred --columns 2 \
+	  --width $(PICTURE_WIDTH) --force -o $@
 endif

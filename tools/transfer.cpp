@@ -1,3 +1,4 @@
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -21,6 +22,7 @@ struct Request {
   std::string attributes;
   std::vector<std::string> properties;
   bool reverse = false;
+  std::vector<std::string> held;
   double threshold = 0.02;
   DeformationTransferOptions deformation;
 
@@ -64,6 +66,11 @@ void declare(CLI::App& app, Request& request) {
                "Turn the movements as the models are turned against each other; without, directions in space "
                "are the same for both")
       ->needs(poses);
+  app.add_option("--hold", request.held,
+                 "A marker, or a vertex of the receiving model by its number, that moves exactly as on the "
+                 "giving one, over the models' sizes: feet that stand there stand here; again for others")
+      ->allow_extra_args(false)
+      ->needs(poses);
 }
 
 /// A map between two models, one of which gives what the other receives.
@@ -71,10 +78,33 @@ struct Pair {
   TriMesh giver, receiver;
   std::optional<Origins> origins;      // of a compatible mesh
   FacetCorrespondence correspondence;  // for poses
+  std::vector<HeldPair> held;          // for poses
 };
 
 Pair ordered(const TriMesh& source, const TriMesh& target, bool reverse) {
-  return reverse ? Pair{target, source, {}, {}} : Pair{source, target, {}, {}};
+  return reverse ? Pair{target, source, {}, {}, {}} : Pair{source, target, {}, {}, {}};
+}
+
+/// The marker of that name, or the vertex of the receiver with that number.
+HeldPair held_pair(const CompatibleMesh& mesh, const Pair& pair, const std::string& name, bool reverse) {
+  for (const MarkerPair& marker : mesh.markers) {
+    if (marker.name == name) {
+      return reverse ? HeldPair{marker.target, marker.source} : HeldPair{marker.source, marker.target};
+    }
+  }
+  int vertex = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), vertex);
+  if (error != std::errc() || end != name.data() + name.size()) {
+    std::string known;
+    for (const MarkerPair& marker : mesh.markers) known += (known.empty() ? "" : ", ") + marker.name;
+    throw InputError("there is no marker '" + name +
+                     "' to hold, nor is that the number of a vertex; there are: " + known);
+  }
+  if (vertex < 0 || vertex >= pair.receiver.vertex_count()) {
+    throw InputError("there is no vertex " + name + " to hold: the receiving model has " +
+                     std::to_string(pair.receiver.vertex_count()));
+  }
+  return {pair.origins->vertices[vertex], vertex_point(pair.receiver, vertex)};
 }
 
 Pair compatible_pair(const cli::Command& command, const CompatibleMesh& mesh, const Request& request) {
@@ -88,6 +118,8 @@ Pair compatible_pair(const cli::Command& command, const CompatibleMesh& mesh, co
     pair.origins->vertices.push_back(request.reverse ? map.vertex_to_target(v) : map.vertex_to_source(v));
   }
   if (!request.poses.empty()) pair.correspondence = exact_correspondence(pair.origins->facets);
+  for (const std::string& name : request.held)
+    pair.held.push_back(held_pair(mesh, pair, name, request.reverse));
   return pair;
 }
 
@@ -97,6 +129,9 @@ Pair pair_of(const cli::Command& command, const io::Document& document, const Re
   }
   if (request.poses.empty()) {
     throw InputError("a cross map has no places on the target yet: properties need a compatible mesh");
+  }
+  if (!request.held.empty()) {
+    throw InputError("a cross map has no places on the target yet: --hold needs a compatible mesh");
   }
   const CrossMap map = io::read_cross_map(document);
   Pair pair = ordered(map.source.mesh, map.target.hulled.model.mesh, request.reverse);
@@ -132,7 +167,9 @@ void transfer_poses(cli::Command& command, const cli::SeriesOutput& output, cons
     poses.push_back(read_giver(command, file, pair, input, request.reverse));
     positions.push_back(poses.back().mesh.points());
   }
-  const DeformationTransfer transfer(pair.giver, pair.receiver, pair.correspondence, request.deformation);
+  DeformationTransferOptions options = request.deformation;
+  options.held = pair.held;
+  const DeformationTransfer transfer(pair.giver, pair.receiver, pair.correspondence, options);
   if (transfer.turned_by() > kSuspiciousTurn && !request.deformation.turn) {
     command.warn("source and target are turned against each other by " +
                  std::to_string(std::lround(transfer.turned_by())) +

@@ -82,11 +82,16 @@ DeformationTransfer::DeformationTransfer(const TriMesh& leader, const TriMesh& f
       follower_(follower),
       correspondence_(std::move(correspondence)),
       areas_(facet_areas(follower.points(), follower.facets())),
-      integration_(follower, {follower.points()}) {
+      integration_(follower, {follower.points()}),
+      held_(options.held) {
   if (leader.diagonal() > 0) scale_ = follower.diagonal() / leader.diagonal();
   const Eigen::Matrix3d turn = relative_turn(leader, follower, correspondence_, areas_);
   angle_ = rotation_logarithm(turn).norm() * 180 / std::numbers::pi;
   if (options.turn) turn_ = turn;
+  if (held_.empty()) return;
+  std::vector<SurfacePoint> points;
+  for (const HeldPair& pair : held_) points.push_back(pair.follower);
+  holds_.emplace(follower_, integration_, std::move(points));
 }
 
 std::vector<Eigen::Matrix3d> DeformationTransfer::gradients(const Points& pose) const {
@@ -119,6 +124,32 @@ Points DeformationTransfer::component_moves(const Points& pose) const {
   return moves;
 }
 
+/// Where the follower stands, which edges do not say.
+void DeformationTransfer::place(Points& followed, const Points& pose) const {
+  // The mean over area, unlike that over vertices, does not depend on how finely the models are cut.
+  Points moves = component_moves(pose);
+  std::vector<double> totals(moves.size(), 0);
+  Points drift(moves.size(), Vec3::Zero());
+  for (std::size_t f = 0; f < areas_.size(); ++f) {
+    const Facet& corners = follower_.facet(static_cast<int>(f));
+    const int component = integration_.components()[corners[0]];
+    drift[component] += areas_[f] * (centroid(follower_.points(), corners) - centroid(followed, corners));
+    totals[component] += areas_[f];
+  }
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    if (totals[k] > 0) moves[k] += drift[k] / totals[k];
+  }
+  for (std::size_t v = 0; v < followed.size(); ++v) followed[v] += moves[integration_.components()[v]];
+  if (!holds_) return;
+  const TriMesh posed = leader_.with_points(pose);
+  Points places;
+  for (const HeldPair& pair : held_) {
+    const Vec3 move = position(posed, pair.leader) - position(leader_, pair.leader);
+    places.push_back(position(follower_, pair.follower) + scale_ * (turn_ * move));
+  }
+  followed = holds_->corrected(std::move(followed), places);
+}
+
 std::vector<Points> DeformationTransfer::follow(const std::vector<Points>& poses) const {
   const int count = static_cast<int>(poses.size());
   for (int i = 0; i < count; ++i) {
@@ -138,25 +169,7 @@ std::vector<Points> DeformationTransfer::follow(const std::vector<Points>& poses
   };
   std::vector<Points> followed = integration_.integrate(
       edges, std::vector<Points>(count, Points(integration_.component_count(), Vec3::Zero())));
-  // The mean over area, unlike that over vertices, does not depend on how finely the models are cut.
-  for_each_part(count, [&](int i) {
-    Points moves = component_moves(poses[i]);
-    std::vector<double> totals(moves.size(), 0);
-    Points drift(moves.size(), Vec3::Zero());
-    for (std::size_t f = 0; f < areas_.size(); ++f) {
-      const Facet& corners = follower_.facet(static_cast<int>(f));
-      const int component = integration_.components()[corners[0]];
-      drift[component] +=
-          areas_[f] * (centroid(follower_.points(), corners) - centroid(followed[i], corners));
-      totals[component] += areas_[f];
-    }
-    for (std::size_t k = 0; k < moves.size(); ++k) {
-      if (totals[k] > 0) moves[k] += drift[k] / totals[k];
-    }
-    for (std::size_t v = 0; v < followed[i].size(); ++v) {
-      followed[i][v] += moves[integration_.components()[v]];
-    }
-  });
+  for_each_part(count, [&](int i) { place(followed[i], poses[i]); });
   return followed;
 }
 

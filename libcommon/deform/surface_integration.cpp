@@ -111,6 +111,20 @@ Points SurfaceIntegration::centres(const Points& points) const {
   return system_->centres(points);
 }
 
+Eigen::MatrixXd SurfaceIntegration::solve(const Eigen::MatrixXd& right) const {
+  const System& system = *system_;
+  Eigen::MatrixXd reduced(system.unknown_count, right.cols());
+  Eigen::MatrixXd fields = Eigen::MatrixXd::Zero(right.rows(), right.cols());
+  for (std::size_t v = 0; v < system.unknown.size(); ++v) {
+    if (system.unknown[v] >= 0) reduced.row(system.unknown[v]) = right.row(static_cast<Eigen::Index>(v));
+  }
+  const Eigen::MatrixXd solution = system.factor.solve(reduced);
+  for (std::size_t v = 0; v < system.unknown.size(); ++v) {
+    if (system.unknown[v] >= 0) fields.row(static_cast<Eigen::Index>(v)) = solution.row(system.unknown[v]);
+  }
+  return fields;
+}
+
 std::vector<Points> SurfaceIntegration::integrate(const std::function<FacetEdges(int, int)>& edges,
                                                   const std::vector<Points>& centres) const {
   const System& system = *system_;

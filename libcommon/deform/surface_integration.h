@@ -35,6 +35,10 @@ class SurfaceIntegration {
   /// Per component: mean of its vertices.
   Points centres(const Points& points) const;
 
+  /// Fields, one per column, that the Laplacian takes to `right`: per vertex the weighted sum of differences
+  /// from its neighbours. The first vertex of each component is 0, and its row of `right` is not asked for.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+
   /// Positions for each frame.
   /// \param edges (frame, facet) -> the edges asked for; called for several frames at a time
   /// \param centres per frame and component: where the mean of its vertices should be

@@ -1,5 +1,6 @@
 #include "mesh/surface_point.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -12,6 +13,17 @@ std::optional<int> vertex_at(const TriMesh& mesh, const SurfacePoint& point) {
   int corner = 0;
   if (point.barycentric.maxCoeff(&corner) < 1 - 1e-12) return {};
   return mesh.facet(point.facet)[corner];
+}
+
+SurfacePoint vertex_point(const TriMesh& mesh, int vertex) {
+  int facet = mesh.facet_count();
+  for (const OpenMesh::FaceHandle f : mesh.half_edges().vf_range(OpenMesh::VertexHandle(vertex))) {
+    facet = std::min(facet, f.idx());
+  }
+  SurfacePoint point{facet, Vec3::Zero()};
+  const Facet& corners = mesh.facet(facet);
+  point.barycentric[std::find(corners.begin(), corners.end(), vertex) - corners.begin()] = 1;
+  return point;
 }
 
 SurfaceMap::SurfaceMap(const TriMesh& source, const TriMesh& target, std::vector<SurfacePoint> images)

@@ -23,6 +23,9 @@ inline Vec3 position(const TriMesh& mesh, const SurfacePoint& point) {
 /// edge.
 std::optional<int> vertex_at(const TriMesh& mesh, const SurfacePoint& point);
 
+/// The place of a vertex, on the first of its facets. \pre `vertex` has a facet
+SurfacePoint vertex_point(const TriMesh& mesh, int vertex);
+
 /// Image on a target mesh of every vertex of a source mesh. Knows both meshes: using it with others throws.
 class SurfaceMap {
  public:

@@ -16,17 +16,6 @@ std::string percent(double fraction) {
   return text.str();
 }
 
-SurfacePoint corner_point(const TriMesh& mesh, int vertex) {
-  int facet = mesh.facet_count();
-  for (const OpenMesh::FaceHandle f : mesh.half_edges().vf_range(OpenMesh::VertexHandle(vertex))) {
-    facet = std::min(facet, f.idx());
-  }
-  SurfacePoint point{facet, Vec3::Zero()};
-  const Facet& corners = mesh.facet(facet);
-  point.barycentric[std::find(corners.begin(), corners.end(), vertex) - corners.begin()] = 1;
-  return point;
-}
-
 }  // namespace
 
 int nearest_corner(const TriMesh& mesh, const SurfacePoint& point) {
@@ -62,7 +51,7 @@ SurfacePoint SurfacePlaces::snapped(const Vec3& point, const std::string& where)
 
 SurfacePoint SurfacePlaces::locate(const Place& place, const std::string& where) {
   if (const int* vertex = std::get_if<int>(&place)) {
-    return corner_point(mesh_, checked_vertex(*vertex, where));
+    return vertex_point(mesh_, checked_vertex(*vertex, where));
   }
   if (const Vec3* point = std::get_if<Vec3>(&place)) return snapped(*point, where);
   const SurfacePoint& point = std::get<SurfacePoint>(place);

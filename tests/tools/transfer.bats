@@ -1,4 +1,5 @@
 # The tool transfer: poses and properties through a map, a cube on a bumpy sphere.
+bats_require_minimum_version 1.5.0
 load setup
 
 setup_file() {
@@ -50,6 +51,38 @@ length_along_x() {
     length=$(length_along_x back.ply)
     awk -v b="$length" 'BEGIN { exit !(b > 3.999 && b < 4.001) }'
   done
+}
+
+# first_vertices_differ A B: by more than rounding
+first_vertices_differ() {
+  for file in "$1" "$2"; do
+    convert-mesh "$file" -o first.off --force
+    sed -n 3p first.off
+  done | awk '{ for (i = 1; i <= 3; ++i) { d = $i - last[i]; sum += (NR == 2) * d * d; last[i] = $i } } END { exit !(sum > 1e-18) }'
+}
+
+@test "places that are held stand as they do on the giver" {
+  # With the source itself as its pose nothing moves, so what is held is at rest.
+  transfer map.ply --poses source.off -o rest.ply
+  transfer map.ply --poses source.off --hold 0 --hold 100 -o still.ply
+  run ! first_vertices_differ rest.ply still.ply
+  posed source.off large.off
+  transfer map.ply --poses large.off -o free.ply
+  transfer map.ply --poses large.off --hold 0 --hold 100 -o held.ply
+  first_vertices_differ free.ply held.ply
+  run transfer map.ply --poses large.off --hold 0 --hold 0 -o x.ply
+  expect_code 3
+  expect_text "same place"
+  run transfer map.ply --poses large.off --hold paw -o x.ply
+  expect_code 3
+  expect_text "there is no marker 'paw' to hold"
+  run transfer map.ply --poses large.off --hold 9999 -o x.ply
+  expect_code 3
+  expect_text "the receiving model has 786"
+  run transfer cross.ply --poses large.off --hold 0 -o x.ply
+  expect_code 3
+  expect_text "--hold needs a compatible mesh"
+  [ ! -e x.ply ]
 }
 
 @test "several poses go into one animation" {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -108,6 +109,54 @@ TEST(DeformationTransfer, TurnedModelsAreNoticedAndServed) {
   const DeformationTransfer transfer(leader, follower, identical(leader), {.turn = true});
   EXPECT_NEAR(transfer.turned_by(), 90, 1e-6);
   EXPECT_LT(largest_distance(transfer.follow({pose})[0], turned(pose)), 1e-9);
+}
+
+TEST(DeformationTransfer, HeldPlacesMoveAsTheirPartnersAndLeaveTheRestInShape) {
+  const TriMesh leader = tests::capsule(6, 12, 24);
+  const TriMesh follower = leader.with_points(
+      mapped(leader.points(), [](const Vec3& p) { return Vec3(4 * p.x(), 4 * p.y(), 3 * p.z()); }));
+  const Points pose = bent(leader.points(), 0.35);
+  const auto extreme = [&](bool top) {
+    const auto less = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
+    const auto& points = leader.points();
+    const auto found = top ? std::max_element(points.begin(), points.end(), less)
+                           : std::min_element(points.begin(), points.end(), less);
+    return static_cast<int>(found - points.begin());
+  };
+  const int top = extreme(true), bottom = extreme(false);
+  const double scale = follower.diagonal() / leader.diagonal();
+  const auto held = [&](const std::vector<int>& vertices) {
+    DeformationTransferOptions options;
+    for (const int v : vertices) options.held.push_back({vertex_point(leader, v), vertex_point(follower, v)});
+    return DeformationTransfer(leader, follower, identical(leader), options).follow({pose})[0];
+  };
+  const Points free = held({}), one = held({bottom}), both = held({bottom, top});
+  const auto expect_held = [&](const Points& points, int v) {
+    EXPECT_LT((points[v] - follower.point(v) - scale * (pose[v] - leader.point(v))).norm(), 1e-9);
+  };
+  expect_held(one, bottom);
+  EXPECT_GT((free[bottom] - one[bottom]).norm(), 0.1);
+  const Vec3 move = one[0] - free[0];  // one place alone only moves the model
+  EXPECT_LT(largest_distance(mapped(free, [&](const Vec3& p) { return Vec3(p + move); }), one), 1e-9);
+  expect_held(both, bottom);
+  expect_held(both, top);
+  EXPECT_TRUE(inverted_facets(both, follower.facets()).empty());
+  const Vec3 gap = (both[top] - free[top]) - (both[bottom] - free[bottom]);
+  ASSERT_GT(gap.norm(), 0.1);
+  for (const Facet& facet : follower.facets()) {  // no spike: what is corrected spreads over the whole length
+    for (int i = 0; i < 3; ++i) {
+      const int a = facet[i], b = facet[(i + 1) % 3];
+      const double change = ((both[a] - free[a]) - (both[b] - free[b])).norm();
+      EXPECT_LT(change, 0.25 * gap.norm());
+    }
+  }
+}
+
+TEST(DeformationTransfer, ThePlacesToHoldMustDiffer) {
+  const TriMesh mesh = tests::sphere(4);
+  const HeldPair pair{vertex_point(mesh, 5), vertex_point(mesh, 5)};
+  EXPECT_THROW(DeformationTransfer(mesh, mesh, identical(mesh), {.turn = false, .held = {pair, pair}}),
+               InputError);
 }
 
 TEST(DeformationTransfer, FacetsWithoutAreaInAPoseDoNoHarm) {
