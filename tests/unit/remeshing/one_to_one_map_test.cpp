@@ -112,6 +112,37 @@ TEST(OneToOneMap, FoldsAreUndoneAndWhatIsFarFromThemStays) {
   EXPECT_GE(moved, 1);
 }
 
+/// The vertex of a mesh around the origin that lies nearest to a direction.
+SurfacePoint vertex_towards(const TriMesh& mesh, const Vec3& direction) {
+  SurfacePoint nearest;
+  double most = -1;
+  for (int f = 0; f < mesh.facet_count(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const double along = mesh.point(mesh.facet(f)[i]).normalized().dot(direction.normalized());
+      if (along <= most) continue;
+      most = along;
+      nearest = {f, Vec3::Unit(i)};
+    }
+  }
+  return nearest;
+}
+
+TEST(OneToOneMap, AMarkerBeyondItsPartsBoundaryIsPlacedOnTheWholeSurface) {
+  const TriMesh cube = tests::cube(6), sphere = tests::sphere(9);
+  const MarkerPair marker{"m", vertex_towards(cube, {1, 0, 0.33}), vertex_towards(sphere, {1, 0, -0.2})};
+  const CompatibleMesh before =
+      reconstruct(tests::projected_pair(tests::halves(cube), tests::halves(sphere), {marker}),
+                  {.one_to_one = false})
+          .mesh;
+  const int v = *vertex_at(cube, marker.source);
+  ASSERT_GT((before.points[v] - position(sphere, marker.target)).norm(), 0.2);
+  const OneToOneMap found = make_one_to_one(before, {});
+  EXPECT_TRUE(certify(found.mesh).one_to_one());
+  EXPECT_EQ(found.placed_markers, std::vector<std::string>{"m"});
+  EXPECT_FALSE(found.curves_held);
+  EXPECT_EQ(found.mesh.points[v], position(sphere, marker.target));
+}
+
 /// A cube with flat facets and a sphere with needles, in halves, both with a tiny opening.
 Reconstruction with_slivers(const Vec3& opening) {
   constexpr double kTiny = 1e-6;
