@@ -166,15 +166,17 @@ TEST(HullToHull, OpenMeshes) {
   expect_one_to_one(result);
 }
 
-/// A limb along x in two halves, round or with an oblong section that is thicker at one end, turned about x.
+/// A limb along x in two halves, straight and round, or bent with an oblong section that is thicker at one
+/// end; turned about x.
 SegmentedModel limb(int around, bool is_round, double turn) {
   const TriMesh tube = tests::capsule(3, around, 24);
   const Eigen::AngleAxisd about_x(turn, Vec3::UnitX());
   Points points;
   for (const Vec3& p : tube.points()) {
     const Vec3 section =
-        is_round ? p : Vec3(2 * p.x() + 0.4 * p.x() * p.x(), p.y() * (1 + 0.3 * p.x()), p.z());
-    points.push_back(about_x * Vec3(section.z(), section.x(), section.y()));
+        is_round ? p : Vec3(2 * p.x() + 0.8 * p.x() * p.x(), p.y() * (1 + 0.6 * p.x()), p.z());
+    const double bend = is_round ? 0 : 0.25 * p.z() * p.z();
+    points.push_back(about_x * Vec3(section.z(), section.x() + bend, section.y()));
   }
   return octant_model(tube.with_points(points), 1);
 }
@@ -190,12 +192,12 @@ TEST(HullToHull, TheTurnOfARoundLimbIsUncertain) {
 }
 
 TEST(HullToHull, AnOblongLimbIsTurnedAsItDistortsLeast) {
-  // Both centroids lie on the axis: how the models lie says nothing of the quarter turn about it.
+  // Two centroids leave the turn about the line through them open: how the models lie says nothing of it.
   const SegmentedModel model = limb(16, false, 0), turned = limb(16, false, M_PI / 2);
   const HullToHull result = map_hull_to_hull(hull_map(model), hull_map(turned));
   expect_one_to_one(result);
   const LoopShift& shift = *result.boundary.curves.at(0).shift;
-  EXPECT_GT(*shift.rival_strain, *shift.strain + 0.05);
+  EXPECT_GT(*shift.rival_strain, *shift.strain + 0.05);  // uncertain below 0.02
   EXPECT_TRUE(result.warnings.empty());
   for (const BoundaryPlacement& p : result.map.boundary) {
     const Vec3 place =
