@@ -78,9 +78,7 @@ class App {
     this.show_saved("Saving …");
     try {
       await Promise.all(unsaved.map(async (i) => {
-        const { vertices, facets } = this.models[i];
-        const sketch = { ...state.sketches[i], mesh: { vertices, faces: facets } };
-        this.take_result(i, await server.save_sketch(i, sketch));
+        this.take_result(i, await server.save_sketch(i, state.sketches[i]));
         this.saved[i] = state.sketches[i];
       }));
       this.show_saved("Saved");
@@ -211,6 +209,11 @@ class App {
       .flatMap(({ pieces, color }) => pieces.map((points) => ({ points, closed: false, color, width: 0.003 })));
     for (const { vertices, closed } of result?.curves ?? []) {
       curves.push({ points: vertices.map((v) => view.vertex(v)), closed, color: ink, width: 0.0016 });
+    }
+    for (const cut of result?.proposed_cuts ?? []) {
+      for (const { vertices, closed } of cut.curves) {
+        curves.push({ points: vertices.map((v) => view.vertex(v)), closed, color: deepest_color, width: 0.0012 });
+      }
     }
     const placed = (kind) => (this.state.sketches[model][kind] ?? [])
       .filter((entry) => !(instead?.kind === kind && instead.entry.name === entry.name))

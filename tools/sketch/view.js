@@ -7,6 +7,7 @@ import { extents, fitting_distance, make_camera, make_renderer } from "../report
 import { Surface, surface_material } from "../report/surface.js";
 
 const hidden_below = 0.01; // of the model's diagonal
+const upright = new THREE.Vector3(0, 1, 0);
 const svg = "http://www.w3.org/2000/svg";
 const dot_size = 0.009;
 
@@ -30,7 +31,10 @@ export class View {
     picture.replaceChildren(this.line, this.names);
     this.facts = facts;
     this.surface = new Surface(mesh, []);
-    this.half = extents([this.surface]);
+    const [x, y, z] = extents([this.surface]);
+    // Seen from its longer side at first, what looked to the front now to the right.
+    this.home = x < z ? -Math.PI / 2 : 0;
+    this.half = x < z ? [z, y, x] : [x, y, z];
     this.material = surface_material();
     this.scene = new THREE.Scene();
     this.overlay = new THREE.Group();
@@ -78,7 +82,7 @@ export class View {
     if (distance === this.fitted) return;
     const { target } = this.controls;
     if (this.fitted === 0) {
-      this.camera.position.set(0, 0, distance);
+      this.camera.position.set(0, 0, distance).applyAxisAngle(upright, this.home);
     } else {
       this.camera.position.sub(target).multiplyScalar(distance / this.fitted).add(target);
     }
@@ -87,12 +91,12 @@ export class View {
     this.camera.updateMatrixWorld();
   }
 
-  /** Looks as another view does, as far as the models' sizes allow. */
+  /** Looks from where another view does, compared with how both looked at first. */
   follow(other) {
-    const scale = this.fitted / other.fitted;
-    this.controls.target.copy(other.controls.target);
-    this.camera.position.copy(other.camera.position).sub(other.controls.target).multiplyScalar(scale).add(other.controls.target);
-    this.camera.up.copy(other.camera.up);
+    const turn = this.home - other.home;
+    const from = other.camera.position.clone().sub(other.controls.target).applyAxisAngle(upright, turn);
+    this.controls.target.copy(other.controls.target).applyAxisAngle(upright, turn);
+    this.camera.position.copy(from).multiplyScalar(this.fitted / other.fitted).add(this.controls.target);
     this.camera.lookAt(this.controls.target);
     this.camera.updateMatrixWorld();
     this.request();
@@ -100,7 +104,7 @@ export class View {
 
   reset() {
     this.controls.target.set(0, 0, 0);
-    this.camera.position.set(0, 0, this.fitted);
+    this.camera.position.set(0, 0, this.fitted).applyAxisAngle(upright, this.home);
     this.controls.update();
     this.request();
   }
