@@ -32,7 +32,7 @@ after(() => browser.close());
 
 async function open() {
   await page.goto(address);
-  await page.waitForFunction(() => document.querySelectorAll(".view .status p").length === 2);
+  await page.waitForFunction(() => document.querySelectorAll(".view .status:not(:empty)").length === 2);
 }
 
 async function at(model, [x, y]) {
@@ -157,6 +157,35 @@ test("a marker asks for its partner, and can be moved, renamed and deleted", asy
   await saved(() => page.getByLabel("Delete nose").click());
   for (const model of models) assert.deepEqual((await sketch(model)).markers, []);
   await saved(() => page.keyboard.press("Control+z"));
+});
+
+/** Where the page shows a vertex of a model that was not turned since its first stroke, as shares of the view. */
+async function seen(model, vertex) {
+  const i = models.indexOf(model);
+  const [facts, position] = await page.evaluate(async ([index, v]) => {
+    const mesh = await fetch(`models/${index}/mesh`).then((r) => r.arrayBuffer());
+    const { models: all } = await fetch("models").then((r) => r.json());
+    return [all[index], Array.from(new Float32Array(mesh, 12 * v, 3))];
+  }, [i, vertex]);
+  const { view, projection } = (await sketch(model)).parts[0].strokes[0].camera;
+  const times = (matrix, p) => [0, 4, 8, 12].map((row) => p.reduce((sum, value, j) => sum + matrix[row + j] * value, 0));
+  const [x, y, , w] = times(projection, times(view, [...position.map((c, j) => c * facts.diagonal + facts.center[j]), 1]));
+  return { place: [(1 + x / w) / 2, (1 - y / w) / 2], distance: w };
+}
+
+test("an anchor is accepted where it is proposed, and its partner asked for", async () => {
+  const { proposed_anchors } = await result("camel");
+  assert.ok(proposed_anchors.length > 0);
+  const places = [];
+  for (const anchor of proposed_anchors) places.push({ anchor, ...(await seen("camel", anchor.vertex)) });
+  const [{ anchor, place }] = places.sort((a, b) => a.distance - b.distance);
+  await page.keyboard.press("a");
+  await saved(() => click("camel", place));
+  const name = anchor.name.replace(" (proposed)", "");
+  assert.deepEqual((await sketch("camel")).anchors, [{ ...anchor, name }]);
+  const hint = await page.locator("#hint").textContent();
+  assert.ok(hint.includes(`${name} on cow`), hint);
+  await page.keyboard.press("Escape");
 });
 
 test("everything is there again after reloading", async () => {

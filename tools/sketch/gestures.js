@@ -130,16 +130,25 @@ function placing_marker(app, model, pixel) {
   });
 }
 
+function accepted_name(proposed) {
+  return proposed.replace(/ \(proposed\)$/, "");
+}
+
 function placing_anchor(app, model, pixel) {
   const view = app.views[model];
   const result = app.results[model];
   const proposals = (result?.proposed_anchors ?? []).map((entry) => ({ entry, point: view.vertex(entry.vertex) }));
-  const accepted = nearest(view, pixel, proposals)?.entry;
-  if (accepted) return new Placing(app, model, "anchors", { name: accepted.name, between: accepted.between }, () => ({ vertex: accepted.vertex }));
   const known = (app.state.sketches[model].anchors ?? []).map((entry) => ({ entry, point: view.place_of(entry) }));
   const moved = nearest(view, pixel, known)?.entry;
   const asked = app.asked?.kind === "anchors" && app.asked.model === model ? app.asked : null;
   const wanted = moved ?? asked;
+  const accepted = moved ? null : nearest(view, pixel, proposals)?.entry;
+  if (accepted) {
+    const { vertex, between } = accepted;
+    // The partner of another's anchor takes its name.
+    const partner = asked && asked.between.every((part) => between.includes(part));
+    return new Placing(app, model, "anchors", { name: partner ? asked.name : accepted_name(accepted.name), between }, () => ({ vertex }));
+  }
   const name = wanted?.name ?? free_name("anchor", names_of(app.state, "anchors"));
   const boundary = (result?.curves ?? [])
     .filter(({ parts }) => !wanted || parts.every((part) => wanted.between.includes(part)))

@@ -61,13 +61,18 @@ class App {
   // What changes the sketches.
 
   commit(state) {
-    this.history.push(state);
-    this.changed();
+    this.change(() => this.history.push(state));
   }
 
-  changed() {
-    if (!this.state.parts.includes(this.chosen)) this.chosen = this.state.parts.at(-1) ?? null;
-    this.refresh();
+  change(step) {
+    const old = this.state;
+    step();
+    const { state } = this;
+    if (!state.parts.includes(this.chosen)) this.chosen = state.parts.at(-1) ?? null;
+    this.refresh_controls();
+    this.models.forEach((_, i) => {
+      if (state.parts !== old.parts || state.sketches[i] !== old.sketches[i]) this.refresh_view(i);
+    });
     this.saving = this.saving.then(() => this.save());
   }
 
@@ -146,18 +151,16 @@ class App {
     const model = entries.findIndex((entry) => !entry);
     this.asked = model < 0 ? null : { kind, name, between: entries.find(Boolean)?.between, model };
     if (this.asked) this.set_mode(kind === "markers" ? "marker" : "anchor");
-    this.refresh();
+    this.refresh_controls();
   }
 
   undo() {
     this.asked = null;
-    this.history.undo();
-    this.changed();
+    this.change(() => this.history.undo());
   }
 
   redo() {
-    this.history.redo();
-    this.changed();
+    this.change(() => this.history.redo());
   }
 
   // What shows them.
@@ -243,8 +246,12 @@ class App {
   }
 
   refresh() {
-    show_lists(this);
+    this.refresh_controls();
     this.views.forEach((_, model) => this.refresh_view(model));
+  }
+
+  refresh_controls() {
+    show_lists(this);
     by_id("undo").disabled = !this.history.can_undo;
     by_id("redo").disabled = !this.history.can_redo;
     this.show_hint();
@@ -321,7 +328,7 @@ function make_keys(app) {
     Escape: () => {
       app.asked = null;
       app.tell(null);
-      app.refresh();
+      app.refresh_controls();
     },
     " ": () => {
       if (app.mode === "turn") return;

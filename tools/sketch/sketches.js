@@ -54,14 +54,22 @@ export function erase_strokes(state, model, erased) {
   }, state);
 }
 
+/** Applies `change` to the sketches that name a part, and leaves the others the objects that they are. */
+function where_named(state, part, change) {
+  return state.sketches.map((sketch) => {
+    const named = (sketch.parts ?? []).some(({ name }) => name === part) ||
+      (sketch.anchors ?? []).some(({ between }) => between.includes(part));
+    return named ? { ...sketch, ...change(sketch.parts ?? [], sketch.anchors ?? []) } : sketch;
+  });
+}
+
 export function rename_part(state, from, to) {
   const renamed = (name) => (name === from ? to : name);
   return {
     parts: state.parts.map(renamed),
-    sketches: state.sketches.map((sketch) => ({
-      ...sketch,
-      parts: (sketch.parts ?? []).map((part) => ({ ...part, name: renamed(part.name) })),
-      anchors: (sketch.anchors ?? []).map((anchor) => ({ ...anchor, between: anchor.between.map(renamed) })),
+    sketches: where_named(state, from, (parts, anchors) => ({
+      parts: parts.map((part) => ({ ...part, name: renamed(part.name) })),
+      anchors: anchors.map((anchor) => ({ ...anchor, between: anchor.between.map(renamed) })),
     })),
   };
 }
@@ -69,10 +77,9 @@ export function rename_part(state, from, to) {
 export function delete_part(state, gone) {
   return {
     parts: state.parts.filter((name) => name !== gone),
-    sketches: state.sketches.map((sketch) => ({
-      ...sketch,
-      parts: (sketch.parts ?? []).filter(({ name }) => name !== gone),
-      anchors: (sketch.anchors ?? []).filter(({ between }) => !between.includes(gone)),
+    sketches: where_named(state, gone, (parts, anchors) => ({
+      parts: parts.filter(({ name }) => name !== gone),
+      anchors: anchors.filter(({ between }) => !between.includes(gone)),
     })),
   };
 }
