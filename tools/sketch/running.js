@@ -72,7 +72,7 @@ export class Running {
 
   async open() {
     const [positions, measured] = await Promise.all([server.compatible_positions(), server.measured().catch(() => null)]);
-    this.end_positions = positions;
+    this.end_positions = this.app.views[0].turned_from(this.app.views[1], positions);
     by_id("morph-row").hidden = false;
     by_id("progress").replaceChildren();
     by_id("morph").value = 1;

@@ -208,6 +208,18 @@ export class View {
     this.request();
   }
 
+  /** Positions of another view's frame, turned so that this view shows at first what that one does. */
+  turned_from(other, positions) {
+    const turn = this.home - other.home;
+    const [c, s] = [Math.cos(turn), Math.sin(turn)];
+    const turned = new Float32Array(positions.length);
+    for (let i = 0; i < positions.length; i += 3) {
+      const [x, y, z] = positions.subarray(i, i + 3);
+      turned.set([c * x + s * z, y, c * z - s * x], i);
+    }
+    return turned;
+  }
+
   move_vertices(positions) {
     this.surface.place(positions);
     this.request();
