@@ -1,5 +1,8 @@
 #include "report/page.h"
 
+#include <stdexcept>
+#include <vector>
+
 #include "error.h"
 #include "report/embedded_pages.h"
 
@@ -44,12 +47,40 @@ std::string escaped_json(const io::Json& facts) {
 
 }  // namespace
 
+struct Sources {
+  std::string name;                 // of body and script, and class of the body
+  std::vector<std::string> styles;  // later ones may overrule earlier ones
+  std::string policy;               // what the page may do beyond showing itself
+};
+
+Sources sources_of(Page page) {
+  switch (page) {
+    case Page::run:
+      return {"run", {"page.css"}, ""};
+    case Page::batch:
+      return {"batch", {"page.css"}, ""};
+    case Page::sketch:
+      return {"sketch", {"page.css", "sketch.css"}, "; connect-src 'self'"};
+  }
+  throw std::logic_error("no such page");
+}
+
+std::string embedded_style(const Sources& sources) {
+  std::string result;
+  for (const std::string& style : sources.styles) result += embedded(style);
+  return result;
+}
+
 std::string html_page(Page page, const std::string& title, const io::Json& facts, const PageArrays& arrays) {
-  const std::string name = page == Page::run ? "run" : "batch";
-  const std::pair<std::string, std::string> places[] = {
-      {"title", escaped_text(title)},     {"style", embedded("page.css")}, {"class", name},
-      {"body", embedded(name + ".html")}, {"facts", escaped_json(facts)},  {"arrays", base64(arrays.bytes())},
-      {"script", embedded(name + ".js")}};
+  const Sources sources = sources_of(page);
+  const std::pair<std::string, std::string> places[] = {{"policy", sources.policy},
+                                                        {"title", escaped_text(title)},
+                                                        {"style", embedded_style(sources)},
+                                                        {"class", sources.name},
+                                                        {"body", embedded(sources.name + ".html")},
+                                                        {"facts", escaped_json(facts)},
+                                                        {"arrays", base64(arrays.bytes())},
+                                                        {"script", embedded(sources.name + ".js")}};
   const std::string text = embedded("page.html");
   std::string result;
   std::size_t from = 0;

@@ -13,7 +13,8 @@ function decoded(text) {
 const block = decoded(document.getElementById("arrays").textContent).buffer;
 const types = { f32: Float32Array, u32: Uint32Array, u8: Uint8Array };
 
-/** The array at a place {type, offset, count}; null for none. */
+/** The array at a place {type, offset, count}, or an array itself; null for none. */
 export function numbers(place) {
+  if (ArrayBuffer.isView(place)) return place;
   return place ? new types[place.type](block, place.offset, place.count) : null;
 }

@@ -105,7 +105,7 @@ void sketch(cli::Command& command, const Options& options) {
   std::unique_ptr<sketching::PipelineRun> run;
   if (models.size() == 2) run = std::make_unique<sketching::PipelineRun>(places(models, options.folder));
   const std::string token = sketching::random_token(kTokenOctets);
-  sketching::Requests requests(token, report::html_page(report::Page::run, title, io::Json::object(), {}),
+  sketching::Requests requests(token, report::html_page(report::Page::sketch, title, io::Json::object(), {}),
                                std::move(models), std::move(run));
   sketching::serve(requests, options.port, [&](int port) {
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/" + token + "/";

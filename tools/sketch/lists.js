@@ -1,0 +1,101 @@
+// The lists beside the views: parts, markers, anchors, and whether the models agree.
+import { css } from "../report/colors.js";
+import { part_color } from "./palette.js";
+import { names_of, strokes_of } from "./sketches.js";
+
+const by_id = (id) => document.getElementById(id);
+
+function element(tag, properties, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+function button(text, label, action, className) {
+  const made = element("button", { type: "button", textContent: text, title: label, className });
+  made.setAttribute("aria-label", label);
+  made.addEventListener("click", action);
+  return made;
+}
+
+/** A name that can be edited: Enter or leaving it renames, Escape does not. */
+function name_field(name, label, rename) {
+  const field = element("input", { value: name, spellcheck: false });
+  field.setAttribute("aria-label", label);
+  field.addEventListener("change", () => {
+    if (!rename(field.value.trim())) field.value = name;
+  });
+  field.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") field.value = name;
+    if (event.key === "Enter" || event.key === "Escape") field.blur();
+  });
+  return field;
+}
+
+function empty(text) {
+  return element("li", { className: "empty", textContent: text });
+}
+
+function part_row(app, name, index) {
+  const strokes = app.models.map((_, model) => strokes_of(app.state, model, name).length);
+  const row = element("li", { className: "row" });
+  row.classList.toggle("chosen", name === app.chosen);
+  const swatch = button(index < 9 ? String(index + 1) : "", `Draw ${name}`, () => app.choose(name), "swatch");
+  swatch.style.background = css(part_color(index));
+  swatch.setAttribute("aria-pressed", name === app.chosen);
+  const field = name_field(name, `Name of ${name}`, (to) => app.rename_part(name, to));
+  field.addEventListener("focus", () => app.choose(name));
+  const state = element("span", { className: "state", textContent: strokes.join(" · ") });
+  state.title = app.models.map((model, i) => `${strokes[i]} strokes on ${model.name}`).join(", ");
+  row.append(swatch, field, state, button("×", `Delete ${name}`, () => app.delete_part(name), "delete"));
+  return row;
+}
+
+function place_row(app, kind, name, number) {
+  const where = app.models.map((_, model) => (app.state.sketches[model][kind] ?? []).some((entry) => entry.name === name));
+  const row = element("li", { className: "row" });
+  const missing = where.indexOf(false);
+  row.classList.toggle("chosen", app.asked?.kind === kind && app.asked.name === name);
+  const field = name_field(name, `Name of ${name}`, (to) => app.rename_place(kind, name, to));
+  row.append(element("span", { className: "state", textContent: number }), field);
+  if (missing >= 0) row.append(button(`on ${app.models[missing].name}?`, `Place ${name} on ${app.models[missing].name}`, () => app.ask_for_partner(kind, name), "quiet state"));
+  row.append(button("×", `Delete ${name}`, () => app.delete_place(kind, name), "delete"));
+  return row;
+}
+
+export function show_lists(app) {
+  const { state } = app;
+  by_id("parts").replaceChildren(...(state.parts.length > 0 ? state.parts.map((name, i) => part_row(app, name, i)) : [empty("none yet")]));
+  for (const kind of ["markers", "anchors"]) {
+    const names = names_of(state, kind);
+    by_id(kind).replaceChildren(...(names.length > 0
+      ? names.map((name, i) => place_row(app, kind, name, kind === "markers" ? `${i + 1}` : "○")) : [empty("none yet")]));
+  }
+}
+
+/** @param check as the server gives it; null while it is not known */
+export function show_agreement(check) {
+  const said = check?.problem ? [check.problem] : [...(check?.differences ?? []), ...(check?.misplaced ?? [])];
+  const list = by_id("differences");
+  list.className = check && !check.problem ? (said.length === 0 ? "good" : "warning") : "";
+  list.replaceChildren(...(said.length > 0 ? said : [check ? "Yes: same parts, same neighbours." : "…"])
+    .map((text) => element("li", { textContent: text })));
+}
+
+/** What a result says of a model, below its view. */
+export function show_status(box, result) {
+  const lines = [];
+  const cuts = new Set((result?.proposed_cuts ?? []).map(({ part }) => part));
+  const say = (text, className) => lines.push(element("p", { textContent: text, className }));
+  if (!result) say("…", "");
+  else if (result.problem) say(result.problem, "warning");
+  else {
+    // What is said of convexity is drawn: the hints below.
+    for (const warning of result.warnings ?? []) if (!warning.includes("decompose further")) say(warning, "warning");
+    for (const { name, concavity } of (result.parts ?? []).filter(({ hint }) => hint)) {
+      say(`${name} is far from convex (red dot, ${(100 * concavity).toFixed(0)} % of the diagonal deep)${cuts.has(name) ? ": red lines propose where to cut it" : ""}.`, "");
+    }
+    if (lines.length === 0) say(`${(result.parts ?? []).length || "No"} parts.`, "");
+  }
+  box.replaceChildren(...lines);
+}

@@ -1,0 +1,99 @@
+// The pipeline, run on the saved sketches, and its result: the first model on its way to the second.
+import * as server from "./server.js";
+
+const by_id = (id) => document.getElementById(id);
+const patience = 400; // milliseconds between questions to the server
+
+function percent(value) {
+  return `${(100 * value).toPrecision(2)} %`;
+}
+
+function measures_text({ distances, flipped_faces: flipped, certificate }) {
+  const { rms, max } = distances.compatible_to_target;
+  return `Distance to the target: RMS ${percent(rms)}, at most ${percent(max)} of its diagonal. ${flipped} flipped facets. ` +
+    (certificate?.one_to_one ? "Certified one-to-one." : "Not certified one-to-one.");
+}
+
+export class Running {
+  constructor(app) {
+    this.app = app;
+    by_id("run").addEventListener("click", () => this.guarded(() => this.start()));
+    by_id("cancel").addEventListener("click", () => this.guarded(() => server.cancel_run()));
+    by_id("close-result").addEventListener("click", () => this.close());
+    by_id("morph").addEventListener("input", () => this.show_morph());
+    by_id("run-bar").hidden = app.models.length < 2;
+    this.start_positions = app.views[0].surface.positions;
+    this.end_positions = null;
+  }
+
+  say(text, failed) {
+    by_id("run-text").textContent = text;
+    by_id("run-text").className = failed ? "failure" : "";
+  }
+
+  async guarded(action) {
+    try {
+      await action();
+    } catch (error) {
+      this.say(error.message, true);
+      by_id("run").disabled = false;
+    }
+  }
+
+  async start() {
+    this.close();
+    by_id("run").disabled = true;
+    await this.app.saving;
+    await server.start_run();
+    await this.follow();
+  }
+
+  /** Shows a run's progress until it ends. */
+  async follow() {
+    for (;;) {
+      const run = await server.run_state();
+      this.show(run);
+      if (run.state !== "running") return run.state === "done" ? this.open() : undefined;
+      await new Promise((done) => setTimeout(done, patience));
+    }
+  }
+
+  show({ state, stages, log }) {
+    const runs = state === "running";
+    by_id("run").disabled = runs;
+    by_id("cancel").hidden = !runs;
+    by_id("progress").replaceChildren(...(stages ?? []).map((stage) =>
+      Object.assign(document.createElement("li"), { className: stage.state, title: `${stage.name}: ${stage.state}` })));
+    const current = (stages ?? []).find((stage) => stage.state === "running");
+    if (runs) this.say(current ? `${current.name} …` : "Starting …");
+    else if (state === "failed") this.say(log || "The run failed.", true);
+    else if (state === "cancelled") this.say("Cancelled.");
+  }
+
+  async open() {
+    const [positions, measured] = await Promise.all([server.compatible_positions(), server.measured().catch(() => null)]);
+    this.end_positions = this.app.views[0].turned_from(this.app.views[1], positions);
+    by_id("morph-row").hidden = false;
+    by_id("progress").replaceChildren();
+    by_id("morph").value = 1;
+    this.say(measured ? measures_text(measured) : "Done.");
+    this.app.show_result(true);
+    this.show_morph();
+  }
+
+  show_morph() {
+    if (!this.end_positions) return;
+    const t = Number(by_id("morph").value);
+    const [a, b] = [this.start_positions, this.end_positions];
+    this.app.views[0].move_vertices(Float32Array.from(a, (value, i) => value + t * (b[i] - value)));
+  }
+
+  close() {
+    by_id("morph-row").hidden = true;
+    if (!this.end_positions) return;
+    this.end_positions = null;
+    this.app.views[0].move_vertices(this.start_positions);
+    this.app.show_result(false);
+    this.say("");
+  }
+}
