@@ -96,7 +96,8 @@ void sketch(cli::Command& command, const Options& options) {
     models.push_back(std::make_unique<sketching::SketchedModel>(mesh, read_any_mesh(command, mesh),
                                                                 path.empty() ? sketch_beside(mesh) : path));
   }
-  if (models.size() == 2 && models[0]->sketch_path() == models[1]->sketch_path()) {
+  if (models.size() == 2 &&
+      fs::weakly_canonical(models[0]->sketch_path()) == fs::weakly_canonical(models[1]->sketch_path())) {
     throw UsageError("both meshes would share the sketch " + models[0]->sketch_path() +
                      "; say --sketch-a and --sketch-b");
   }
