@@ -15,6 +15,7 @@ namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
 constexpr std::size_t kLargestBody = 64 << 20;  // octets: a sketch of a million points
+constexpr std::time_t kLongestPause = 1;  // seconds within a request; the server's end waits for it, too
 
 // Pages of this server are to run by themselves, in no frame, and to tell nobody of their address.
 const httplib::Headers& headers() {
@@ -67,6 +68,7 @@ class EndingSignals {
 void serve(Requests& requests, int port, const std::function<void(int)>& ready) {
   httplib::Server server;
   server.set_payload_max_length(kLargestBody);
+  server.set_read_timeout(kLongestPause);
   server.set_default_headers(headers());
   // The library's own would let another process listen on the same port.
   server.set_socket_options([](socket_t) {});
