@@ -9,6 +9,7 @@ teardown() {
 
 # Starts sketch and sets server (its process), address, and its parts: start [argument...]
 start() {
+  : >address.txt
   sketch "$@" >address.txt 2>errors.txt 3>&- &
   server=$!
   for _ in $(seq 500); do
