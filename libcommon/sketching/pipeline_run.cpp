@@ -7,9 +7,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 #include <vector>
 
 #include "error.h"
@@ -21,6 +23,7 @@ namespace {
 using io::Json;
 
 constexpr std::size_t kLogShown = 4000;  // octets
+constexpr int kPatience = 2000;          // milliseconds
 
 struct Stage {
   const char* name;
@@ -41,6 +44,14 @@ constexpr std::array<Stage, 11> kStages{{{"segment source", "source.segment.ply"
 
 std::string in_folder(const std::string& folder, const std::string& file) {
   return (std::filesystem::path(folder) / file).string();
+}
+
+/// Waits for what make leaves of a process group that was asked to end, then insists.
+void end_group(pid_t group) {
+  for (int i = 0; i < kPatience && kill(-group, 0) == 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  kill(-group, SIGKILL);
 }
 
 }  // namespace
@@ -79,7 +90,11 @@ void PipelineRun::start() {
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  // Whatever signals are blocked here: cancel() must reach it.
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
   const int failure = posix_spawnp(&process_, "make", &files, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
@@ -93,8 +108,10 @@ void PipelineRun::start() {
 void PipelineRun::cancel() {
   reap(false);
   if (process_ == 0) return;
-  kill(-process_, SIGTERM);
+  const pid_t group = process_;
+  kill(-group, SIGTERM);
   reap(true);
+  end_group(group);
   state_ = "cancelled";
 }
 

@@ -21,18 +21,18 @@ Answer octets(std::string body) {
   return {200, "application/octet-stream", std::move(body)};
 }
 
-Answer refusal(int status, const std::string& sentence) {
+Answer error(int status, const std::string& sentence) {
   Answer answer = json({{"error", sentence}});
   answer.status = status;
   return answer;
 }
 
 Answer not_found() {
-  return refusal(404, "there is nothing at this address");
+  return error(404, "there is nothing at this address");
 }
 
 Answer wrong_method() {
-  return refusal(405, "this address does not know that method");
+  return error(405, "this address does not know that method");
 }
 
 bool changes_something(const std::string& method) {
@@ -50,33 +50,37 @@ Requests::Requests(std::string token, std::string page, std::vector<std::unique_
                    std::unique_ptr<PipelineRun> run)
     : token_(std::move(token)), page_(std::move(page)), models_(std::move(models)), run_(std::move(run)) {}
 
-Answer Requests::answer(const Request& request) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+std::optional<Answer> Requests::refusal(const Request& request) const {
   if (std::find(hosts_.begin(), hosts_.end(), request.host) == hosts_.end()) {
-    return refusal(403, "this host is not the server's");
+    return error(403, "this host is not the server's");
   }
-  const std::size_t end = request.path.find('/', 1);
-  if (request.path.empty() || request.path[0] != '/' || end == std::string::npos ||
-      !equal_secrets(request.path.substr(1, end - 1), token_)) {
-    return refusal(403, "the address must begin with the token that sketch printed");
+  const std::string start = "/" + token_ + "/";
+  if (!equal_secrets(request.path.substr(0, start.size()), start)) {
+    return error(403, "the address must begin with the token that sketch printed");
   }
   if (!request.origin.empty() && request.origin != "http://" + request.host) {
-    return refusal(403, "requests of other pages are not answered");
+    return error(403, "requests of other pages are not answered");
   }
-  if (changes_something(request.method)) {
-    if (request.origin.empty()) return refusal(403, "changes must name their origin");
-    if (request.content_type.substr(0, request.content_type.find(';')) != "application/json") {
-      return refusal(415, "changes must be application/json");
-    }
+  if (!changes_something(request.method)) return {};
+  if (request.origin.empty()) return error(403, "changes must name their origin");
+  if (request.content_type.substr(0, request.content_type.find(';')) != "application/json") {
+    return error(415, "changes must be application/json");
   }
+  if (!request.is_plain) return error(411, "changes must say their length, and not be compressed");
+  return {};
+}
+
+Answer Requests::answer(const Request& request) {
+  if (std::optional<Answer> refused = refusal(request)) return *refused;
+  const std::lock_guard<std::mutex> lock(mutex_);
   Request inner = request;
-  inner.path = request.path.substr(end + 1);
+  inner.path = request.path.substr(token_.size() + 2);
   try {
     return routed(inner);
-  } catch (const InputError& error) {
-    return refusal(400, error.what());
-  } catch (const std::exception& error) {
-    return refusal(500, error.what());
+  } catch (const InputError& wrong) {
+    return error(400, wrong.what());
+  } catch (const std::exception& failure) {
+    return error(500, failure.what());
   }
 }
 
@@ -111,7 +115,7 @@ Answer Requests::of_model(const Request& request, SketchedModel& model, const st
 }
 
 Answer Requests::of_run(const Request& request, const std::string& what) {
-  if (!run_) return refusal(404, "the pipeline needs two models");
+  if (!run_) return error(404, "the pipeline needs two models");
   if (what.empty()) {
     if (request.method == "POST") {
       for (const auto& model : models_) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Request {
   std::string host;
   std::string origin;  ///< empty when there is none
   std::string content_type;
+  bool is_plain = true;  ///< its body is neither compressed nor in chunks, so that its head tells its size
   std::string body;
 };
 
@@ -31,8 +33,8 @@ struct Answer {
 ///
 /// Only paths below "/<token>/" are answered, only for a Host that is the server's own address (a page of
 /// another site cannot reach in by a name that it lets point here), and what changes something only from the
-/// page itself (Origin) and as JSON. No path or file name comes from a request. Threads may share it: answers
-/// follow one another.
+/// page itself (Origin) and as JSON whose size is known beforehand. No path or file name comes from a
+/// request. Threads may share it: answers follow one another.
 class Requests {
  public:
   /// \param token what the page's address must begin with \pre not empty
@@ -44,7 +46,12 @@ class Requests {
   /// The hosts that requests may name, such as "127.0.0.1:8080"; none before this is called.
   void set_hosts(std::vector<std::string> hosts) { hosts_ = std::move(hosts); }
 
-  /// Never throws for what a request contains: errors are answers with a status of 400 and more.
+  /// Why a request may not be answered, from its head alone (its body need not be there yet); none when it
+  /// may. Waits for nothing.
+  std::optional<Answer> refusal(const Request& request) const;
+
+  /// Never throws for what a request contains: errors are answers with a status of 400 and more, those of
+  /// refusal() first.
   Answer answer(const Request& request);
 
  private:

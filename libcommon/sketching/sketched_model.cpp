@@ -21,6 +21,7 @@ namespace {
 using io::Json;
 
 constexpr int kLargestWithCuts = 50'000;  // facets: beyond, looking for cuts keeps a person waiting
+constexpr int kDeepest = 64;              // levels of JSON; the schema's own are 6
 
 SegmentationOptions options_for(const TriMesh& mesh) {
   SegmentationOptions options;
@@ -137,12 +138,23 @@ Json empty_sketch() {
           {"anchors", Json::array()}};
 }
 
+// Bounds the depth, too: whatever walks deeply nested JSON needs as deep a stack.
 Json parsed(const std::string& text) {
+  const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kDeepest) throw InputError("the document is nested too deeply to be a sketch");
+    return true;
+  };
   try {
-    return Json::parse(text);
+    return Json::parse(text, check_depth);
   } catch (const Json::parse_error& error) {
     throw InputError(std::string("this is not JSON: ") + error.what());
   }
+}
+
+// A link would be replaced by the file.
+std::string file_behind(std::string path) {
+  std::error_code error;
+  return std::filesystem::is_symlink(path, error) ? std::filesystem::weakly_canonical(path).string() : path;
 }
 
 template <class Number>
@@ -157,7 +169,7 @@ void append(std::string& octets, Number value) {
 SketchedModel::SketchedModel(std::string mesh_path, const TriMesh& mesh, std::string sketch_path)
     : name_(std::filesystem::path(mesh_path).stem().string()),
       mesh_path_(std::move(mesh_path)),
-      sketch_path_(std::move(sketch_path)),
+      sketch_path_(file_behind(std::move(sketch_path))),
       center_(box_center(mesh.points())),
       segmenter_(mesh, options_for(mesh)),
       sketch_(empty_sketch()) {

@@ -96,7 +96,10 @@ void sketch(cli::Command& command, const Options& options) {
     models.push_back(std::make_unique<sketching::SketchedModel>(mesh, read_any_mesh(command, mesh),
                                                                 path.empty() ? sketch_beside(mesh) : path));
   }
-  if (models.size() == 2 && models[0]->sketch_path() == models[1]->sketch_path()) {
+  const auto same_file = [](const std::string& a, const std::string& b) {
+    return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+  };
+  if (models.size() == 2 && same_file(models[0]->sketch_path(), models[1]->sketch_path())) {
     throw UsageError("both meshes would share the sketch " + models[0]->sketch_path() +
                      "; say --sketch-a and --sketch-b");
   }

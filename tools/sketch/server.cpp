@@ -1,8 +1,11 @@
 #include "sketch/server.h"
 
+#include <fcntl.h>
 #include <httplib.h>
 #include <signal.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <thread>
 
 #include "error.h"
@@ -12,6 +15,7 @@ namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
 constexpr std::size_t kLargestBody = 64 << 20;  // octets: a sketch of a million points
+constexpr std::time_t kLongestPause = 1;  // seconds within a request; the server's end waits for it, too
 
 // Pages of this server are to run by themselves, in no frame, and to tell nobody of their address.
 const httplib::Headers& headers() {
@@ -30,17 +34,53 @@ Request request_of(const httplib::Request& request) {
           request.get_header_value("Host"),
           request.get_header_value("Origin"),
           request.get_header_value("Content-Type"),
+          !request.has_header("Transfer-Encoding") && !request.has_header("Content-Encoding"),
           request.body};
 }
+
+/// Waits for SIGINT, SIGTERM or SIGHUP, whichever thread they reach. Not by a mask: threads that run already
+/// would not have it, and processes that are started would.
+class EndingSignals {
+ public:
+  EndingSignals() {
+    if (pipe2(pipe_, O_CLOEXEC) != 0) throw IoError("no pipe can be made");
+    struct sigaction action = {};
+    action.sa_handler = [](int) {
+      const char octet = 0;
+      [[maybe_unused]] const auto ignored = write(pipe_[1], &octet, 1);
+    };
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  }
+
+  void wait() const {
+    char octet = 0;
+    while (read(pipe_[0], &octet, 1) < 0 && errno == EINTR) {
+    }
+  }
+
+ private:
+  static inline int pipe_[2] = {-1, -1};  // what a handler can reach
+};
 
 }  // namespace
 
 void serve(Requests& requests, int port, const std::function<void(int)>& ready) {
   httplib::Server server;
   server.set_payload_max_length(kLargestBody);
+  server.set_read_timeout(kLongestPause);
   server.set_default_headers(headers());
   // The library's own would let another process listen on the same port.
   server.set_socket_options([](socket_t) {});
+  // The body of a refused request is not read, so what follows on its connection is no request.
+  server.set_keep_alive_max_count(1);
+  server.set_pre_routing_handler([&](const httplib::Request& from, httplib::Response& to) {
+    const std::optional<Answer> refused = requests.refusal(request_of(from));
+    if (!refused) return httplib::Server::HandlerResponse::Unhandled;
+    to.status = refused->status;
+    to.set_content(refused->body, refused->content_type);
+    return httplib::Server::HandlerResponse::Handled;
+  });
   const auto handle = [&](const httplib::Request& from, httplib::Response& to) {
     Answer answer = requests.answer(request_of(from));
     to.status = answer.status;
@@ -58,13 +98,9 @@ void serve(Requests& requests, int port, const std::function<void(int)>& ready) 
   }
   requests.set_hosts({kLoopback + (":" + std::to_string(port)), "localhost:" + std::to_string(port)});
 
-  sigset_t ending;
-  sigemptyset(&ending);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
-  pthread_sigmask(SIG_BLOCK, &ending, nullptr);
-  std::thread([&server, ending] {
-    int signal = 0;
-    sigwait(&ending, &signal);
+  EndingSignals signals;
+  std::thread([&] {
+    signals.wait();
     server.stop();
   }).detach();
   ready(port);

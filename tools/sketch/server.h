@@ -9,7 +9,6 @@ namespace partwise::sketching {
 
 /// Answers HTTP requests on 127.0.0.1, and on no other address, until the process is asked to end (SIGINT,
 /// SIGTERM). \param port 0 for any that is free \param ready called with the port once requests are accepted
-/// \pre no other thread runs yet: those signals are blocked for all threads
 /// \throws IoError when the port is taken
 void serve(Requests& requests, int port, const std::function<void(int port)>& ready);
 
