@@ -72,16 +72,32 @@ std::optional<Answer> Requests::refusal(const Request& request) const {
 
 Answer Requests::answer(const Request& request) {
   if (std::optional<Answer> refused = refusal(request)) return *refused;
-  const std::lock_guard<std::mutex> lock(mutex_);
   Request inner = request;
   inner.path = request.path.substr(token_.size() + 2);
   try {
+    if (std::optional<Answer> found = slow(inner)) return *found;
+    const std::lock_guard<std::mutex> lock(mutex_);
     return routed(inner);
   } catch (const InputError& wrong) {
     return error(400, wrong.what());
   } catch (const std::exception& failure) {
     return error(500, failure.what());
   }
+}
+
+// What takes long, computed from what was there when it was asked for.
+std::optional<Answer> Requests::slow(const Request& request) {
+  for (std::size_t i = 0; i < models_.size(); ++i) {
+    if (request.path != "models/" + std::to_string(i) + "/cuts") continue;
+    if (changes_something(request.method)) return wrong_method();
+    std::shared_ptr<const SegmentedModel> model;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      model = models_[i]->segmented();
+    }
+    return json({{"proposed_cuts", model ? proposed_cuts(*model) : Json::array()}});
+  }
+  return {};
 }
 
 Answer Requests::routed(const Request& request) {

@@ -34,7 +34,8 @@ struct Answer {
 /// Only paths below "/<token>/" are answered, only for a Host that is the server's own address (a page of
 /// another site cannot reach in by a name that it lets point here), and what changes something only from the
 /// page itself (Origin) and as JSON whose size is known beforehand. No path or file name comes from a
-/// request. Threads may share it: answers follow one another.
+/// request. Threads may share it: answers follow one another, but for proposed cuts, which keep no stroke
+/// waiting.
 class Requests {
  public:
   /// \param token what the page's address must begin with \pre not empty
@@ -56,6 +57,7 @@ class Requests {
 
  private:
   Answer routed(const Request& request);
+  std::optional<Answer> slow(const Request& request);
   Answer of_model(const Request& request, SketchedModel& model, const std::string& what);
   Answer of_run(const Request& request, const std::string& what);
 

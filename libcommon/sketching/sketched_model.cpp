@@ -14,19 +14,18 @@
 #include "io/sketch.h"
 #include "report/page_arrays.h"
 #include "segmentation/compatibility.h"
+#include "segmentation/cut_proposals.h"
 
 namespace partwise::sketching {
 namespace {
 
 using io::Json;
 
-constexpr int kLargestWithCuts = 50'000;  // facets: beyond, looking for cuts keeps a person waiting
-constexpr int kDeepest = 64;              // levels of JSON; the schema's own are 6
+constexpr int kDeepest = 64;  // levels of JSON; the schema's own are 6
 
-SegmentationOptions options_for(const TriMesh& mesh) {
+SegmentationOptions live_options() {
   SegmentationOptions options;
   options.propose_anchors = true;
-  options.propose_cuts = mesh.facet_count() <= kLargestWithCuts;
   return options;
 }
 
@@ -98,18 +97,6 @@ Json anchor_facts(const SegmentedModel& model, bool proposed) {
   return facts;
 }
 
-Json cut_facts(const SegmentedMesh& segmented) {
-  Json cuts = Json::array();
-  for (const CutProposal& proposal : segmented.cuts) {
-    Json curves = Json::array();
-    for (const BoundaryCurve& curve : proposal.curves) {
-      curves.push_back({{"closed", curve.closed}, {"vertices", curve.vertices}});
-    }
-    cuts.push_back({{"part", segmented.model.segmentation.names[proposal.part]}, {"curves", curves}});
-  }
-  return cuts;
-}
-
 /// One octet per facet: parts are few (InputError beyond 255).
 std::string label_octets(const Segmentation& segmentation) {
   if (segmentation.part_count() > 255) throw InputError("at most 255 parts can be shown; draw fewer");
@@ -127,7 +114,6 @@ Json facts_of(const SegmentedMesh& segmented, double tau) {
           {"markers", marker_facts(model.markers)},
           {"anchors", anchor_facts(model, false)},
           {"proposed_anchors", anchor_facts(model, true)},
-          {"proposed_cuts", cut_facts(segmented)},
           {"warnings", segmented.warnings}};
 }
 
@@ -171,7 +157,7 @@ SketchedModel::SketchedModel(std::string mesh_path, const TriMesh& mesh, std::st
       mesh_path_(std::move(mesh_path)),
       sketch_path_(file_behind(std::move(sketch_path))),
       center_(box_center(mesh.points())),
-      segmenter_(mesh, options_for(mesh)),
+      segmenter_(mesh, live_options()),
       sketch_(empty_sketch()) {
   Sketch sketch;
   if (has_saved_sketch()) {
@@ -252,12 +238,25 @@ void SketchedModel::segment(const Sketch& sketch) {
   try {
     SegmentedMesh segmented = segmenter_.segment(drawn(sketch));
     result_ = facts_of(segmented, SegmentationOptions().tau);
-    segmented_ = std::move(segmented.model);
+    segmented_ = std::make_shared<const SegmentedModel>(std::move(segmented.model));
   } catch (const Error& error) {
     result_ = {{"problem", error.what()}};
     segmented_.reset();
   }
   result_["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+io::Json proposed_cuts(const SegmentedModel& model) {
+  const double tau = SegmentationOptions().tau;
+  Json cuts = Json::array();
+  for (const CutProposal& proposal : propose_cuts(model.mesh, model.segmentation, model.concavity, tau)) {
+    Json curves = Json::array();
+    for (const BoundaryCurve& curve : proposal.curves) {
+      curves.push_back({{"closed", curve.closed}, {"vertices", curve.vertices}});
+    }
+    cuts.push_back({{"part", model.segmentation.names[proposal.part]}, {"curves", curves}});
+  }
+  return cuts;
 }
 
 io::Json compare(const SketchedModel& a, const SketchedModel& b) {

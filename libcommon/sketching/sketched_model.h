@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "io/document.h"
@@ -45,7 +45,7 @@ class SketchedModel {
   const io::Json& result() const { return result_; }
 
   /// The parts; nothing while there is a problem.
-  const std::optional<SegmentedModel>& segmented() const { return segmented_; }
+  std::shared_ptr<const SegmentedModel> segmented() const { return segmented_; }
 
  private:
   void save(const io::Json& document);
@@ -58,9 +58,13 @@ class SketchedModel {
   Segmenter segmenter_;
   io::Json sketch_;
   io::Json result_;
-  std::optional<SegmentedModel> segmented_;
+  std::shared_ptr<const SegmentedModel> segmented_;
   bool changed_ = false;
 };
+
+/// Where to cut the parts that are far from convex (propose_cuts): an array of `part` and `curves`. Takes as
+/// long again as the segmentation, or some times as long where parts are not drawn yet.
+io::Json proposed_cuts(const SegmentedModel& model);
 
 /// Whether the parts of two models correspond (compare_segmentations): `differences` and `misplaced` markers,
 /// a sentence each; or `problem`.

@@ -17,6 +17,7 @@ const anchor_color = [0.05, 0.1, 0.2];
 const deepest_color = [0.8, 0.1, 0.1];
 const pattern_cell = 0.055; // of the model's diagonal
 const label_delay = 120; // milliseconds after the last turn
+const rest = 1200; // milliseconds after the last change
 const turn_step = Math.PI / 24; // of an arrow key
 
 const keys = [
@@ -47,6 +48,7 @@ class App {
     this.check = null;
     this.told = null;
     this.busy = false; // a result is shown
+    this.seeking = models.map(() => 0); // timers
     this.pieces = new WeakMap(); // of strokes
   }
 
@@ -106,11 +108,26 @@ class App {
     this.labels[model] = result.labels ? Uint8Array.from(atob(result.labels), (c) => c.charCodeAt(0)) : null;
     this.refresh_view(model);
     show_status(this.boxes[model], result);
+    this.seek_cuts(model);
     this.show_hint();
     if (performance.getEntriesByName("stroke").length === 0) return;
     this.views[model].draw();
     performance.measure("stroke to parts", "stroke");
     performance.clearMarks("stroke");
+  }
+
+  /** Where to cut parts that are far from convex: looked for once the hand rests, since it takes long. */
+  seek_cuts(model) {
+    clearTimeout(this.seeking[model]);
+    const result = this.results[model];
+    if (!result.parts?.some(({ hint }) => hint)) return;
+    this.seeking[model] = setTimeout(async () => {
+      const cuts = await server.proposed_cuts(model).catch(() => []);
+      if (this.results[model] !== result) return;
+      result.proposed_cuts = cuts;
+      this.refresh_view(model);
+      show_status(this.boxes[model], result);
+    }, rest);
   }
 
   add_part() {

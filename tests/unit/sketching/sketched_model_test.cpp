@@ -94,6 +94,23 @@ TEST_F(SketchedModelTest, PartsWithoutStrokesAreSavedButNotCut) {
   EXPECT_EQ(io::read_sketch(path).parts.size(), 3U);
 }
 
+TEST_F(SketchedModelTest, PlacesToCutAreThoseOfSegment) {
+  const TriMesh jack = tests::bumpy_sphere(24, 2.5);  // a ball with six arms
+  const SketchedModel model(folder.path("jack.ply"), jack, path);
+  ASSERT_TRUE(model.result()["parts"][0]["hint"].get<bool>()) << model.result()["parts"];
+  SegmentationOptions options;
+  options.propose_cuts = true;
+  const SegmentedMesh segmented = segment_mesh(jack, {}, options);
+  ASSERT_EQ(segmented.cuts.size(), 1U);
+  const Json cuts = proposed_cuts(*model.segmented());
+  ASSERT_EQ(cuts.size(), 1U);
+  EXPECT_EQ(cuts[0]["part"], "whole");
+  ASSERT_EQ(cuts[0]["curves"].size(), segmented.cuts[0].curves.size());
+  for (std::size_t i = 0; i < cuts[0]["curves"].size(); ++i) {
+    EXPECT_EQ(cuts[0]["curves"][i]["vertices"], Json(segmented.cuts[0].curves[i].vertices));
+  }
+}
+
 TEST_F(SketchedModelTest, WhatCannotBeCutIsSavedWithASentenceWhy) {
   SketchedModel drawn(folder.path("body.ply"), body, path);
   Json sketch = drawn_sketch();
