@@ -197,6 +197,33 @@ test("everything is there again after reloading", async () => {
   assert.equal(await page.locator("#markers input").inputValue(), "nose");
 });
 
+test("a run can be cancelled", async () => {
+  await saved(() => page.locator("#anchors button").last().click()); // the anchor without a partner
+  await page.click("#run");
+  await page.click("#cancel");
+  await page.waitForFunction(() => document.getElementById("run-text").textContent === "Cancelled.");
+  assert.ok(await page.locator("#run").isEnabled());
+});
+
+test("the models agree, and a run ends with the compatible mesh to look at", async () => {
+  assert.match(await page.locator("#differences").textContent(), /Yes/);
+  const picture = async () => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30))));
+    return (await page.locator("canvas").first().screenshot()).toString("base64");
+  };
+  const source = await picture();
+  await page.click("#run");
+  await page.waitForSelector("#progress .running");
+  await page.waitForSelector("#morph-row:not([hidden])", { timeout: 180_000 });
+  assert.match(await page.locator("#run-text").textContent(), /[^t] ?Certified one-to-one/);
+  const compatible = await picture();
+  await page.locator("#morph").fill("0.5");
+  const halfway = await picture();
+  assert.ok(compatible !== source && halfway !== source && halfway !== compatible);
+  await page.click("#close-result");
+  assert.equal(await page.locator("#run-text").textContent(), "");
+});
+
 test("nothing was complained of, and nothing else was asked for", async () => {
   assert.deepEqual(complaints, []);
   assert.ok(requests.every(({ url }) => url.startsWith(address) || url.startsWith("data:")));

@@ -8,10 +8,9 @@ function percent(value) {
   return `${(100 * value).toPrecision(2)} %`;
 }
 
-function measures_text({ distances, flipped_faces: flipped, certificate }) {
-  const { rms, max } = distances.compatible_to_target;
-  return `Distance to the target: RMS ${percent(rms)}, at most ${percent(max)} of its diagonal. ${flipped} flipped facets. ` +
-    (certificate?.one_to_one ? "Certified one-to-one." : "Not certified one-to-one.");
+function measures_text({ rms_distance: rms, max_distance: most, flipped_faces: flipped, one_to_one: certified }) {
+  return `Distance between the surfaces: RMS ${percent(rms)}, at most ${percent(most)} of the target's diagonal. ` +
+    `${flipped} flipped facets. ` + (certified ? "Certified one-to-one." : "Not certified one-to-one.");
 }
 
 export class Running {
