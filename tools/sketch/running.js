@@ -76,6 +76,7 @@ export class Running {
     by_id("progress").replaceChildren();
     by_id("morph").value = 1;
     this.say(measured ? measures_text(measured) : "Done.");
+    this.app.views[0].make_room(this.end_positions);
     this.app.show_result(true);
     this.show_morph();
   }
@@ -92,6 +93,7 @@ export class Running {
     if (!this.end_positions) return;
     this.end_positions = null;
     this.app.views[0].move_vertices(this.start_positions);
+    this.app.views[0].make_room(null);
     this.app.show_result(false);
     this.say("");
   }

@@ -31,10 +31,10 @@ export class View {
     picture.replaceChildren(this.line, this.names);
     this.facts = facts;
     this.surface = new Surface(mesh, []);
-    const [x, y, z] = extents([this.surface]);
+    const [x, , z] = extents([this.surface]);
     // Seen from its longer side at first, what looked to the front now to the right.
     this.home = x < z ? -Math.PI / 2 : 0;
-    this.half = x < z ? [z, y, x] : [x, y, z];
+    this.own_half = this.half = this.extents_seen(this.surface);
     this.material = surface_material();
     this.scene = new THREE.Scene();
     this.overlay = new THREE.Group();
@@ -54,6 +54,18 @@ export class View {
       this.turned();
     });
     new ResizeObserver(() => this.request()).observe(canvas);
+  }
+
+  extents_seen(surface) {
+    const [x, y, z] = extents([surface]);
+    return this.home === 0 ? [x, y, z] : [z, y, x];
+  }
+
+  /** Steps back so far that other positions of the vertices are seen, too; null: as far as the model's own need. */
+  make_room(positions) {
+    const other = positions ? this.extents_seen({ positions }) : [0, 0, 0];
+    this.half = this.own_half.map((extent, i) => Math.max(extent, other[i]));
+    this.request();
   }
 
   request() {
