@@ -38,6 +38,16 @@ export function fitting_distance([x, y, z], aspect) {
   return margin * Math.max(x / aspect, y) / slope + z;
 }
 
+/** Turns the camera of orbit controls around what it looks at, by angles about the upright and the sideways axis. */
+export function turn_around(controls, sideways, upwards) {
+  const offset = controls.object.position.clone().sub(controls.target);
+  const spherical = new THREE.Spherical().setFromVector3(offset);
+  spherical.theta += sideways;
+  spherical.phi = Math.min(Math.max(spherical.phi + upwards, 0.01), Math.PI - 0.01);
+  controls.object.position.copy(controls.target).add(offset.setFromSpherical(spherical));
+  controls.update();
+}
+
 function set_aspect(camera, aspect) {
   camera.aspect = aspect;
   camera.updateProjectionMatrix();
@@ -163,12 +173,7 @@ export class Panes {
   }
 
   turn(sideways, upwards) {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const spherical = new THREE.Spherical().setFromVector3(offset);
-    spherical.theta += sideways;
-    spherical.phi = Math.min(Math.max(spherical.phi + upwards, 0.01), Math.PI - 0.01);
-    this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(spherical));
-    this.controls.update();
+    turn_around(this.controls, sideways, upwards);
     this.request();
   }
 

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { css } from "../report/colors.js";
-import { extents, fitting_distance, make_camera, make_renderer } from "../report/panes.js";
+import { extents, fitting_distance, make_camera, make_renderer, turn_around } from "../report/panes.js";
 import { Surface, surface_material } from "../report/surface.js";
 
 const hidden_below = 0.01; // of the model's diagonal
@@ -123,12 +123,7 @@ export class View {
 
   /** Turns by steps of angle about the upright and the sideways axis. */
   turn(sideways, upwards) {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const spherical = new THREE.Spherical().setFromVector3(offset);
-    spherical.theta += sideways;
-    spherical.phi = Math.min(Math.max(spherical.phi + upwards, 0.01), Math.PI - 0.01);
-    this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(spherical));
-    this.controls.update();
+    turn_around(this.controls, sideways, upwards);
   }
 
   /** The camera of a stroke (partwise/sketch-1), which sees the model in its own units. */
