@@ -157,6 +157,7 @@ SketchedModel::SketchedModel(std::string mesh_path, const TriMesh& mesh, std::st
       mesh_path_(std::move(mesh_path)),
       sketch_path_(file_behind(std::move(sketch_path))),
       center_(box_center(mesh.points())),
+      diagonal_(mesh.diagonal()),
       segmenter_(mesh, live_options()),
       sketch_(empty_sketch()) {
   Sketch sketch;
@@ -188,7 +189,7 @@ io::Json SketchedModel::facts() const {
           {"vertices", mesh.vertex_count()},
           {"facets", mesh.facet_count()},
           {"center", {center_[0], center_[1], center_[2]}},
-          {"diagonal", mesh.diagonal()},
+          {"diagonal", diagonal_},
           {"sketch", file(sketch_path_)}};
 }
 
@@ -196,7 +197,7 @@ std::string SketchedModel::normalized(const Points& points) const {
   std::string octets;
   octets.reserve(points.size() * 3 * sizeof(float));
   for (const Vec3& point : points) {
-    const Vec3 p = (point - center_) / segmenter_.mesh().diagonal();
+    const Vec3 p = (point - center_) / diagonal_;
     for (int i = 0; i < 3; ++i) append(octets, static_cast<float>(p[i]));
   }
   return octets;

@@ -55,6 +55,7 @@ class SketchedModel {
   std::string mesh_path_;
   std::string sketch_path_;
   Vec3 center_;
+  double diagonal_;  // of the bounding box: the mesh computes it anew each time
   Segmenter segmenter_;
   io::Json sketch_;
   io::Json result_;
