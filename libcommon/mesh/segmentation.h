@@ -68,7 +68,7 @@ struct SegmentedModel {
   Segmentation segmentation;
   std::vector<Marker> markers;
   std::vector<Anchor> anchors;
-  std::vector<Concavity> concavity;  ///< one per part
+  std::vector<Concavity> concavity;  ///< one per part; none when it was not measured
 };
 
 /// Index of the part called `name`, or -1.

@@ -19,12 +19,18 @@ SegmentedMesh assemble_segmentation(const TriMesh& mesh, RepairedLabels repaired
   Segmentation segmentation;
   std::vector<Concavity> concavity;
   tbb::parallel_invoke([&] { segmentation = trace_boundaries(mesh, names, labels); },
-                       [&] { concavity = measure_concavity(mesh, labels, static_cast<int>(names.size())); });
+                       [&] {
+                         if (!options.measure_concavity) return;
+                         concavity = measure_concavity(mesh, labels, static_cast<int>(names.size()));
+                       });
   std::vector<Marker> markers = place_markers(landmarks, places);
   std::vector<Anchor> anchors = place_anchors(mesh, segmentation, landmarks, places);
   std::vector<CutProposal> cuts;
-  if (options.propose_cuts) cuts = propose_cuts(mesh, segmentation, concavity, options.tau);
-  std::vector<std::string> warnings = decomposition_hints(mesh, segmentation, concavity, options.tau, cuts);
+  std::vector<std::string> warnings;
+  if (options.measure_concavity) {
+    if (options.propose_cuts) cuts = propose_cuts(mesh, segmentation, concavity, options.tau);
+    warnings = decomposition_hints(mesh, segmentation, concavity, options.tau, cuts);
+  }
   for (std::string& sentence : unanchored_curves(segmentation, anchors)) {
     warnings.push_back(std::move(sentence));
   }

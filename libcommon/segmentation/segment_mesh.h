@@ -30,8 +30,11 @@ struct SegmentationOptions {
   bool split_edges = false;      ///< boundaries may cross facets, which are cut there, see split_boundaries.h
   int split_rounds = 8;          ///< of averaging along boundaries before facets are cut
   bool propose_anchors = false;  ///< adds anchors marked as proposed, see anchor_proposals.h
+  bool measure_concavity = true;  ///< of the parts; takes about as long as cutting a large mesh. Without it
+                                  ///< no part is said to be too concave
   double tau = 0.1;  ///< concavity above which a part should be decomposed further, over the diagonal
-  bool propose_cuts = false;  ///< says where; takes about as long again as the segmentation of such a part
+  bool propose_cuts = false;  ///< with measure_concavity, says where; takes about as long again as the
+                              ///< segmentation of such a part
 };
 
 /// A segmented model, and what making it took.

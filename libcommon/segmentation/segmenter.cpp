@@ -48,7 +48,11 @@ RepairedLabels grow(const TriMesh& mesh, const std::vector<std::string>& names, 
 Segmenter::Segmenter(const TriMesh& mesh, const SegmentationOptions& options)
     : mesh_(mesh), options_(options), places_(mesh_, options.snap_limit) {}
 
-void Segmenter::prepare(bool needs_labeller) {
+void Segmenter::prepare() {
+  make_kept(options_.method == SegmentationMethod::walker);
+}
+
+void Segmenter::make_kept(bool needs_labeller) {
   const auto find_components = [&] {
     if (components_.empty()) components_ = facet_components(mesh_);
   };
@@ -103,7 +107,7 @@ SegmentedMesh Segmenter::segment(const Sketch& sketch) {
   require_drawn_for(mesh_, sketch);
   const std::vector<std::string> names = part_names(sketch);
   const std::vector<SeedStroke> strokes = seed_strokes(sketch, places_);
-  prepare(names.size() > 1 && options_.method == SegmentationMethod::walker);
+  make_kept(names.size() > 1 && options_.method == SegmentationMethod::walker);
   const Seeds seeds = names.size() > 1 ? collect_seeds(mesh_, components_, names, strokes) : Seeds();
   SeparatedLabels labelled = label_facets(names, seeds);
   SegmentedMesh result =

@@ -21,11 +21,14 @@ class Segmenter {
 
   const TriMesh& mesh() const { return mesh_; }
 
+  /// Makes what is kept now, so that no sketch waits for it.
+  void prepare();
+
   /// \throws as segment_mesh; the segmenter stays usable
   SegmentedMesh segment(const Sketch& sketch);
 
  private:
-  void prepare(bool needs_labeller);
+  void make_kept(bool needs_labeller);
   SeparatedLabels label_facets(const std::vector<std::string>& names, const Seeds& seeds);
   SegmentedMesh split(const Sketch& sketch, const std::vector<std::string>& names, const Seeds& seeds,
                       RepairedLabels repaired);

@@ -88,14 +88,14 @@ Answer Requests::answer(const Request& request) {
 // What takes long, computed from what was there when it was asked for.
 std::optional<Answer> Requests::slow(const Request& request) {
   for (std::size_t i = 0; i < models_.size(); ++i) {
-    if (request.path != "models/" + std::to_string(i) + "/cuts") continue;
+    if (request.path != "models/" + std::to_string(i) + "/hints") continue;
     if (changes_something(request.method)) return wrong_method();
     std::shared_ptr<const SegmentedModel> model;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       model = models_[i]->segmented();
     }
-    return json({{"proposed_cuts", model ? proposed_cuts(*model) : Json::array()}});
+    return json(model ? hints(*model) : Json{{"concave", Json::array()}, {"proposed_cuts", Json::array()}});
   }
   return {};
 }

@@ -34,7 +34,7 @@ struct Answer {
 /// Only paths below "/<token>/" are answered, only for a Host that is the server's own address (a page of
 /// another site cannot reach in by a name that it lets point here), and what changes something only from the
 /// page itself (Origin) and as JSON whose size is known beforehand. No path or file name comes from a
-/// request. Threads may share it: answers follow one another, but for proposed cuts, which keep no stroke
+/// request. Threads may share it: answers follow one another, but for hints, which keep no stroke
 /// waiting.
 class Requests {
  public:

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "error.h"
@@ -14,6 +15,7 @@
 #include "io/sketch.h"
 #include "report/page_arrays.h"
 #include "segmentation/compatibility.h"
+#include "segmentation/concavity.h"
 #include "segmentation/cut_proposals.h"
 
 namespace partwise::sketching {
@@ -26,6 +28,7 @@ constexpr int kDeepest = 64;  // levels of JSON; the schema's own are 6
 SegmentationOptions live_options() {
   SegmentationOptions options;
   options.propose_anchors = true;
+  options.measure_concavity = false;  // no stroke is to wait for it: see hints()
   return options;
 }
 
@@ -62,17 +65,12 @@ Json curve_facts(const Segmentation& segmentation) {
   return curves;
 }
 
-Json part_facts(const SegmentedModel& model, double tau) {
+Json part_facts(const SegmentedModel& model) {
   std::vector<int> facets(model.segmentation.part_count(), 0);
   for (const int label : model.segmentation.labels) ++facets[label];
   Json parts = Json::array();
   for (int k = 0; k < model.segmentation.part_count(); ++k) {
-    const Concavity& concavity = model.concavity[k];
-    parts.push_back({{"name", model.segmentation.names[k]},
-                     {"facets", facets[k]},
-                     {"concavity", concavity.largest},
-                     {"deepest", concavity.vertex < 0 ? Json() : Json(concavity.vertex)},
-                     {"hint", concavity.largest > tau}});
+    parts.push_back({{"name", model.segmentation.names[k]}, {"facets", facets[k]}});
   }
   return parts;
 }
@@ -106,10 +104,10 @@ std::string label_octets(const Segmentation& segmentation) {
   return octets;
 }
 
-Json facts_of(const SegmentedMesh& segmented, double tau) {
+Json facts_of(const SegmentedMesh& segmented) {
   const SegmentedModel& model = segmented.model;
   return {{"labels", report::base64(label_octets(model.segmentation))},
-          {"parts", part_facts(model, tau)},
+          {"parts", part_facts(model)},
           {"curves", curve_facts(model.segmentation)},
           {"markers", marker_facts(model.markers)},
           {"anchors", anchor_facts(model, false)},
@@ -174,6 +172,7 @@ SketchedModel::SketchedModel(std::string mesh_path, const TriMesh& mesh, std::st
       if (!sketch_.contains(list)) sketch_[list] = Json::array();
     }
   }
+  segmenter_.prepare();
   segment(sketch);
 }
 
@@ -238,26 +237,47 @@ void SketchedModel::segment(const Sketch& sketch) {
   const auto start = std::chrono::steady_clock::now();
   try {
     SegmentedMesh segmented = segmenter_.segment(drawn(sketch));
-    result_ = facts_of(segmented, SegmentationOptions().tau);
+    result_ = facts_of(segmented);
     segmented_ = std::make_shared<const SegmentedModel>(std::move(segmented.model));
   } catch (const Error& error) {
-    result_ = {{"problem", error.what()}};
+    result_ = facts_of_strokes(sketch);
+    result_["problem"] = error.what();
     segmented_.reset();
   }
   result_["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-io::Json proposed_cuts(const SegmentedModel& model) {
+// What the strokes make of the mesh when it is a marker or an anchor that does not fit.
+io::Json SketchedModel::facts_of_strokes(const Sketch& sketch) {
+  if (sketch.markers.empty() && sketch.anchors.empty()) return Json::object();
+  Sketch strokes = drawn(sketch);
+  strokes.markers.clear();
+  strokes.anchors.clear();
+  try {
+    return facts_of(segmenter_.segment(strokes));
+  } catch (const Error&) {
+    return Json::object();
+  }
+}
+
+io::Json hints(const SegmentedModel& model) {
   const double tau = SegmentationOptions().tau;
-  Json cuts = Json::array();
-  for (const CutProposal& proposal : propose_cuts(model.mesh, model.segmentation, model.concavity, tau)) {
+  const auto& [names, labels] = std::tie(model.segmentation.names, model.segmentation.labels);
+  const std::vector<Concavity> concavity =
+      measure_concavity(model.mesh, labels, static_cast<int>(names.size()));
+  Json concave = Json::array(), cuts = Json::array();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto& [largest, mean, vertex] = concavity[k];
+    if (largest > tau) concave.push_back({{"part", names[k]}, {"concavity", largest}, {"deepest", vertex}});
+  }
+  for (const CutProposal& proposal : propose_cuts(model.mesh, model.segmentation, concavity, tau)) {
     Json curves = Json::array();
     for (const BoundaryCurve& curve : proposal.curves) {
       curves.push_back({{"closed", curve.closed}, {"vertices", curve.vertices}});
     }
-    cuts.push_back({{"part", model.segmentation.names[proposal.part]}, {"curves", curves}});
+    cuts.push_back({{"part", names[proposal.part]}, {"curves", curves}});
   }
-  return cuts;
+  return {{"concave", concave}, {"proposed_cuts", cuts}};
 }
 
 io::Json compare(const SketchedModel& a, const SketchedModel& b) {

@@ -40,8 +40,9 @@ class SketchedModel {
   /// \throws InputError when it is no sketch for this mesh, IoError: then nothing has changed
   void put(const std::string& text);
 
-  /// What the sketch makes of the mesh: parts, labels, boundaries, warnings; or `problem`, a sentence, while
-  /// it does not suffice. Parts without strokes are left out, and anchors at them.
+  /// What the sketch makes of the mesh: parts, labels, boundaries, warnings. While it does not suffice,
+  /// `problem`, a sentence; beside it what the strokes alone make of the mesh when they suffice. Parts
+  /// without strokes are left out, and anchors at them.
   const io::Json& result() const { return result_; }
 
   /// The parts; nothing while there is a problem.
@@ -50,6 +51,7 @@ class SketchedModel {
  private:
   void save(const io::Json& document);
   void segment(const Sketch& sketch);
+  io::Json facts_of_strokes(const Sketch& sketch);
 
   std::string name_;
   std::string mesh_path_;
@@ -63,9 +65,10 @@ class SketchedModel {
   bool changed_ = false;
 };
 
-/// Where to cut the parts that are far from convex (propose_cuts): an array of `part` and `curves`. Takes as
-/// long again as the segmentation, or some times as long where parts are not drawn yet.
-io::Json proposed_cuts(const SegmentedModel& model);
+/// Which parts are far from convex: `concave`, an array of `part`, `concavity` and `deepest` vertex; and
+/// where to cut them (propose_cuts): `proposed_cuts`, an array of `part` and `curves`. Takes as long again as
+/// the segmentation, or some times as long where parts are not drawn yet.
+io::Json hints(const SegmentedModel& model);
 
 /// Whether the parts of two models correspond (compare_segmentations): `differences` and `misplaced` markers,
 /// a sentence each; or `problem`.

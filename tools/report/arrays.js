@@ -2,7 +2,8 @@
 
 export const facts = JSON.parse(document.getElementById("facts").textContent);
 
-function decoded(text) {
+/** Octets of base64. */
+export function decoded(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);

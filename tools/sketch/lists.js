@@ -88,11 +88,10 @@ export function show_status(box, result) {
   const cuts = new Set((result?.proposed_cuts ?? []).map(({ part }) => part));
   const say = (text, className) => lines.push(element("p", { textContent: text, className }));
   if (!result) say("…", "");
-  else if (result.problem) say(result.problem, "warning");
   else {
-    // What is said of convexity is drawn: the hints below.
-    for (const warning of result.warnings ?? []) if (!warning.includes("decompose further")) say(warning, "warning");
-    for (const { name, concavity } of (result.parts ?? []).filter(({ hint }) => hint)) {
+    if (result.problem) say(result.problem, "warning");
+    for (const warning of result.warnings ?? []) say(warning, "warning");
+    for (const { part: name, concavity } of result.concave ?? []) {
       say(`${name} is far from convex (red dot, ${(100 * concavity).toFixed(0)} % of the diagonal deep)${cuts.has(name) ? ": red lines propose where to cut it" : ""}.`, "");
     }
     if (lines.length === 0) say(`${(result.parts ?? []).length || "No"} parts.`, "");

@@ -20,7 +20,9 @@ const json = async (response) => (await response).json();
 export const models = () => json(get("models"));
 export const saved_sketch = (model) => json(get(`models/${model}/sketch`));
 export const last_result = (model) => json(get(`models/${model}/result`));
-export const proposed_cuts = async (model) => (await json(get(`models/${model}/cuts`))).proposed_cuts;
+
+/** Which parts are far from convex, and where to cut them: {concave, proposed_cuts}. Takes longer than a stroke. */
+export const hints = (model) => json(get(`models/${model}/hints`));
 export const check = () => json(get("check"));
 
 /** Saves a sketch, and answers with what it makes of the model. */

@@ -1,4 +1,5 @@
 // The page: what it knows, and how the controls change it.
+import { decoded } from "../report/arrays.js";
 import { is_dark, theme_button } from "../report/theme.js";
 import { listen, modes, set_camera_buttons } from "./gestures.js";
 import { History } from "./history.js";
@@ -105,10 +106,10 @@ class App {
 
   take_result(model, result) {
     this.results[model] = result;
-    this.labels[model] = result.labels ? Uint8Array.from(atob(result.labels), (c) => c.charCodeAt(0)) : null;
+    this.labels[model] = result.labels ? decoded(result.labels) : null;
     this.refresh_view(model);
     show_status(this.boxes[model], result);
-    this.seek_cuts(model);
+    this.seek_hints(model);
     this.show_hint();
     if (performance.getEntriesByName("stroke").length === 0) return;
     this.views[model].draw();
@@ -116,15 +117,15 @@ class App {
     performance.clearMarks("stroke");
   }
 
-  /** Where to cut parts that are far from convex: looked for once the hand rests, since it takes long. */
-  seek_cuts(model) {
+  /** Parts that are far from convex, and where to cut them: looked for once the hand rests, since it takes long. */
+  seek_hints(model) {
     clearTimeout(this.seeking[model]);
     const result = this.results[model];
-    if (!result.parts?.some(({ hint }) => hint)) return;
+    if (result.problem) return;
     this.seeking[model] = setTimeout(async () => {
-      const cuts = await server.proposed_cuts(model).catch(() => []);
+      const hints = await server.hints(model).catch(() => ({}));
       if (this.results[model] !== result) return;
-      result.proposed_cuts = cuts;
+      Object.assign(result, hints);
       this.refresh_view(model);
       show_status(this.boxes[model], result);
     }, rest);
@@ -242,8 +243,7 @@ class App {
       ...placed("markers").map((entry) => ({ point: view.place_of(entry), color: marker_color })),
       ...placed("anchors").map((entry) => ({ point: view.place_of(entry), color: anchor_color })),
       ...(result?.proposed_anchors ?? []).map(({ vertex }) => ({ point: view.vertex(vertex), color: anchor_color, hollow: true })),
-      ...(result?.parts ?? []).filter(({ hint, deepest }) => hint && deepest !== null)
-        .map(({ deepest }) => ({ point: view.vertex(deepest), color: deepest_color })),
+      ...(result?.concave ?? []).map(({ deepest }) => ({ point: view.vertex(deepest), color: deepest_color })),
     ];
     view.cover(curves, dots);
     const numbers = sketches.names_of(this.state, "markers");

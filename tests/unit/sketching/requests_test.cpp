@@ -50,7 +50,7 @@ TEST_F(RequestsTest, AnswersThePage) {
   EXPECT_FALSE(requests->refusal(get("/secret/")));
   EXPECT_EQ(requests->answer(get("/secret/")).body, "<html>");
   EXPECT_EQ(Json::parse(requests->answer(get("/secret/models")).body)["models"][0]["name"], "ball");
-  EXPECT_EQ(requests->answer(get("/secret/models/0/cuts")).body, R"({"proposed_cuts":[]})");
+  EXPECT_EQ(requests->answer(get("/secret/models/0/hints")).body, R"({"concave":[],"proposed_cuts":[]})");
   EXPECT_EQ(status(put()), 200);
   EXPECT_TRUE(std::filesystem::exists(path));
   Request by_name = put();
@@ -124,7 +124,7 @@ TEST_F(RequestsTest, KnowsOnlyItsOwnMethods) {
     request.method = method;
     EXPECT_EQ(status(request), 405) << method;
     for (const char* address :
-         {"/secret/", "/secret/models", "/secret/models/0/mesh", "/secret/models/0/cuts"}) {
+         {"/secret/", "/secret/models", "/secret/models/0/mesh", "/secret/models/0/hints"}) {
       request.path = address;
       EXPECT_EQ(status(request), 405) << method << ' ' << address;
     }

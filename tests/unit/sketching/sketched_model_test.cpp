@@ -94,21 +94,64 @@ TEST_F(SketchedModelTest, PartsWithoutStrokesAreSavedButNotCut) {
   EXPECT_EQ(io::read_sketch(path).parts.size(), 3U);
 }
 
-TEST_F(SketchedModelTest, PlacesToCutAreThoseOfSegment) {
+TEST_F(SketchedModelTest, HintsAreThoseOfSegment) {
   const TriMesh jack = tests::bumpy_sphere(24, 2.5);  // a ball with six arms
   const SketchedModel model(folder.path("jack.ply"), jack, path);
-  ASSERT_TRUE(model.result()["parts"][0]["hint"].get<bool>()) << model.result()["parts"];
   SegmentationOptions options;
   options.propose_cuts = true;
   const SegmentedMesh segmented = segment_mesh(jack, {}, options);
   ASSERT_EQ(segmented.cuts.size(), 1U);
-  const Json cuts = proposed_cuts(*model.segmented());
-  ASSERT_EQ(cuts.size(), 1U);
-  EXPECT_EQ(cuts[0]["part"], "whole");
-  ASSERT_EQ(cuts[0]["curves"].size(), segmented.cuts[0].curves.size());
-  for (std::size_t i = 0; i < cuts[0]["curves"].size(); ++i) {
-    EXPECT_EQ(cuts[0]["curves"][i]["vertices"], Json(segmented.cuts[0].curves[i].vertices));
+  const Json found = hints(*model.segmented());
+  const Concavity& concavity = segmented.model.concavity[0];
+  EXPECT_EQ(
+      found["concave"],
+      Json::array({{{"part", "whole"}, {"concavity", concavity.largest}, {"deepest", concavity.vertex}}}));
+  ASSERT_EQ(found["proposed_cuts"].size(), 1U);
+  EXPECT_EQ(found["proposed_cuts"][0]["part"], "whole");
+  const Json& curves = found["proposed_cuts"][0]["curves"];
+  ASSERT_EQ(curves.size(), segmented.cuts[0].curves.size());
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    EXPECT_EQ(curves[i]["vertices"], Json(segmented.cuts[0].curves[i].vertices));
   }
+}
+
+TEST_F(SketchedModelTest, ConvexPartsHaveNoHints) {
+  const SketchedModel model(folder.path("ball.ply"), tests::sphere(3), path);
+  EXPECT_EQ(hints(*model.segmented()), Json({{"concave", Json::array()}, {"proposed_cuts", Json::array()}}));
+}
+
+/// The vertex of `mesh` that is farthest in a direction.
+int extreme(const TriMesh& mesh, const Vec3& direction) {
+  int best = 0;
+  for (int v = 1; v < mesh.vertex_count(); ++v) {
+    if (mesh.point(v).dot(direction) > mesh.point(best).dot(direction)) best = v;
+  }
+  return best;
+}
+
+TEST_F(SketchedModelTest, AnAnchorThatDoesNotFitHidesNoParts) {
+  const TriMesh jack = tests::bumpy_sphere(24, 2.5);
+  SketchedModel drawn(folder.path("jack.ply"), jack, path);
+  Json sketch = io::to_json({}, "");
+  const auto add_part = [&](const char* name, const Points& directions) {
+    Json strokes = Json::array();
+    for (const Vec3& direction : directions) strokes.push_back({{"vertices", {extreme(jack, direction)}}});
+    sketch["parts"].push_back({{"name", name}, {"strokes", strokes}});
+  };
+  add_part("up", {Vec3::UnitZ()});
+  add_part("middle", {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY()});
+  add_part("down", {-Vec3::UnitZ()});
+  drawn.put(sketch.dump());
+  const Json fitting = drawn.result();
+  ASSERT_EQ(fitting["parts"].size(), 3U) << fitting;
+  const Json lost{{"name", "lost"}, {"between", Json::array({"up", "down"})}, {"vertex", 0}};
+  sketch["anchors"].push_back(lost);
+  drawn.put(sketch.dump());
+  ASSERT_TRUE(drawn.result().contains("problem")) << drawn.result();
+  EXPECT_NE(drawn.result()["problem"].get<std::string>().find("lost"), std::string::npos);
+  for (const char* list : {"labels", "parts", "curves"})
+    EXPECT_EQ(drawn.result()[list], fitting[list]) << list;
+  EXPECT_FALSE(drawn.segmented());
 }
 
 TEST_F(SketchedModelTest, WhatCannotBeCutIsSavedWithASentenceWhy) {
