@@ -1,5 +1,6 @@
 // One surface of the run as something to draw: corners of facets, each with normal, colour and pattern coordinates.
 import * as THREE from "three";
+import { MeshBVH } from "three-mesh-bvh";
 import { numbers } from "./arrays.js";
 import { field_color, folded, lightened } from "./colors.js";
 
@@ -56,6 +57,12 @@ export function surface_material() {
   });
 }
 
+/** A colour as one number, of which the lowest octet comes first in memory. */
+function octets(color) {
+  const [r, g, b] = color.map((c) => Math.round(255 * Math.min(Math.max(c, 0), 1)));
+  return (r | (g << 8) | (b << 16) | (255 << 24)) >>> 0;
+}
+
 function vertex_normals(positions, facets) {
   const normals = new Float32Array(positions.length);
   for (let i = 0; i < facets.length; i += 3) {
@@ -85,9 +92,11 @@ export class Surface {
     this.labels = numbers(facts.parts);
     this.pattern = numbers(facts.pattern);
     this.geometry = new THREE.BufferGeometry();
-    for (const name of ["position", "normal", "color", "pattern"]) {
+    for (const name of ["position", "normal", "pattern"]) {
       this.geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(3 * this.facets.length), 3));
     }
+    // Four octets a corner: threes are slow to read. The fourth is not used.
+    this.geometry.setAttribute("color", new THREE.BufferAttribute(new Uint8Array(4 * this.facets.length), 4, true));
     this.spread(this.pattern ?? this.positions, "pattern");
     this.place(this.positions);
   }
@@ -109,6 +118,7 @@ export class Surface {
   /** Moves the vertices. */
   place(positions) {
     this.positions = positions;
+    this.tree = null;
     this.spread(positions, "position");
     if (this.facts.flat) {
       const normals = this.geometry.getAttribute("normal");
@@ -134,19 +144,20 @@ export class Surface {
   /** Colours the facets: plain, parts, pattern, or the name of a field. */
   paint(mode, plain) {
     const shown = this.can_paint(mode) ? mode : "plain";
-    const color = this.geometry.getAttribute("color").array;
     const field = this.facts.fields?.[shown];
     const values = numbers(field?.values);
-    for (let i = 0; i < this.facets.length; ++i) {
-      const facet = Math.floor(i / 3);
-      let c = plain;
-      if (shown === "parts") {
-        c = this.parts[this.labels[facet]].color;
-      } else if (field) {
-        c = field_color(shown, values[field.per === "facet" ? facet : this.facets[i]], field);
+    const parts = shown === "parts" ? this.parts.map(({ color }) => color) : [plain];
+    const packed = [parts, parts.map((c) => lightened(c, 0.75))].map((colors) => Uint32Array.from(colors, octets));
+    const corners = new Uint32Array(this.geometry.getAttribute("color").array.buffer);
+    for (let i = 0; i < corners.length; ++i) {
+      const facet = (i / 3) | 0;
+      const light = facet >= this.linked_facets ? 1 : 0;
+      if (field) {
+        const c = field_color(shown, values[field.per === "facet" ? facet : this.facets[i]], field);
+        corners[i] = octets(light ? lightened(c, 0.75) : c);
+      } else {
+        corners[i] = packed[light][shown === "parts" ? this.labels[facet] : 0];
       }
-      if (facet >= this.linked_facets) c = lightened(c, 0.75);
-      color.set(c, 3 * i);
     }
     this.geometry.getAttribute("color").needsUpdate = true;
     return shown;
@@ -196,31 +207,23 @@ export class Surface {
     return [0, 1, 2].map((i) => u * p[a + i] + v * p[b + i] + w * p[c + i]);
   }
 
-  /** The first facet that a ray meets, with barycentric coordinates; null for none. */
+  /** The first facet that a ray meets, with barycentric coordinates; null for none. The first call takes longer. */
   hit(origin, direction) {
-    let nearest = Infinity;
-    let found = null;
-    const p = this.positions;
-    const [dx, dy, dz] = direction;
-    for (let i = 0; i < this.facets.length; i += 3) {
-      const a = 3 * this.facets[i], b = 3 * this.facets[i + 1], c = 3 * this.facets[i + 2];
-      const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
-      const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
-      const hx = dy * vz - dz * vy, hy = dz * vx - dx * vz, hz = dx * vy - dy * vx;
-      const determinant = ux * hx + uy * hy + uz * hz;
-      if (determinant === 0) continue;
-      const sx = origin[0] - p[a], sy = origin[1] - p[a + 1], sz = origin[2] - p[a + 2];
-      const s = (sx * hx + sy * hy + sz * hz) / determinant;
-      if (s < 0 || s > 1) continue;
-      const qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux;
-      const t = (dx * qx + dy * qy + dz * qz) / determinant;
-      if (t < 0 || s + t > 1) continue;
-      const distance = (vx * qx + vy * qy + vz * qz) / determinant;
-      if (distance > 0 && distance < nearest) {
-        nearest = distance;
-        found = { facet: i / 3, barycentric: [1 - s - t, s, t] };
-      }
-    }
-    return found;
+    this.tree ??= this.#search_tree();
+    const ray = new THREE.Ray(new THREE.Vector3(...origin), new THREE.Vector3(...direction));
+    const found = this.tree.raycastFirst(ray, THREE.DoubleSide);
+    return found && { facet: found.faceIndex, barycentric: this.#coordinates(found.faceIndex, found.point) };
+  }
+
+  #search_tree() {
+    const shape = new THREE.BufferGeometry();
+    shape.setAttribute("position", new THREE.BufferAttribute(this.positions, 3));
+    shape.setIndex(new THREE.BufferAttribute(this.facets, 1));
+    return new MeshBVH(shape, { indirect: true }); // which keeps the order of the facets
+  }
+
+  #coordinates(facet, point) {
+    const [a, b, c] = [0, 1, 2].map((j) => new THREE.Vector3().fromArray(this.positions, 3 * this.facets[3 * facet + j]));
+    return THREE.Triangle.getBarycoord(point, a, b, c, new THREE.Vector3()).toArray();
   }
 }

@@ -82,10 +82,11 @@ class Erasing {
     }));
   }
   move(pixel) {
+    const before = this.touched.size;
     for (const { stroke, pixels } of this.seen) {
       if (pixels.some((p) => distance(p, pixel) < reach)) this.touched.add(stroke);
     }
-    this.app.refresh_view(this.model, this.touched);
+    if (this.touched.size > before) this.app.refresh_view(this.model, this.touched);
   }
   end() {
     if (this.touched.size > 0) this.app.commit(erase_strokes(this.app.state, this.model, this.touched));

@@ -209,6 +209,9 @@ export class View {
 
   /** Colours the facets: `labels` gives each one's part, `colors` that part's colour; without labels all are plain. */
   paint(labels, colors, plain) {
+    const asked = JSON.stringify([colors, plain]);
+    if (labels === this.surface.labels && asked === this.painted) return; // nothing new: it takes long on a large model
+    this.painted = asked;
     this.surface.labels = labels;
     this.surface.parts = colors.map((color) => ({ color }));
     this.surface.paint(labels ? "parts" : "plain", plain);
