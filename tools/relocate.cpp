@@ -74,6 +74,15 @@ void declare_options(CLI::App& app, RelocateOptions& options) {
   app.add_option("--unfold-sweeps", options.unfold.sweeps, "Sweeps over the surroundings of flipped facets")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
+  app.add_option("--gap-rounds", options.gaps.rounds,
+                 "Rounds of sliding the whole map to where it and the target are apart")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option(
+         "--gap-threshold", options.gaps.threshold,
+         "Gaps between the surfaces that are wider than this are closed so, over the target's diagonal")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--fit-rounds", options.fit.rounds,
                  "Rounds of pulling vertices to details of the target that the mesh misses")
       ->check(CLI::Range(0, 1000))

@@ -45,4 +45,8 @@ struct CompatibleMesh {
   SourceRefinement refinement = {};        ///< of the source, which is the refined one everywhere else
 };
 
+/// The mesh with its vertices at other points of the target. Its inverse map is not made anew.
+/// \throws InputError as SurfaceMap
+CompatibleMesh with_images(const CompatibleMesh& mesh, const std::vector<SurfacePoint>& images);
+
 }  // namespace partwise

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/normals.h"
 #include "measure/surface_samples.h"
 #include "remeshing/chart_source.h"
 #include "remeshing/locate.h"
@@ -63,19 +64,25 @@ Points measured_places(const Points& points, const Facets& facets) {
 }  // namespace
 
 CoverageGaps::CoverageGaps(const TriMesh& target)
-    : target_(target), index_(target), places_(measured_places(target.points(), target.facets())) {}
+    : target_(target), index_(target), places_(measured_places(target.points(), target.facets())) {
+  for (const double facet : facet_areas(target.points(), target.facets())) area_ += facet;
+}
 
 std::vector<CoverageGap> CoverageGaps::wider_than(double least, const CompatibleMesh& mesh) const {
   const SurfaceIndex surface(mesh.points, mesh.source.facets());
   std::vector<CoverageGap> gaps;
   const std::vector<double> from_target = distances(places_, surface);
-  std::optional<Preimages> preimages;
+  const double area = area_ / static_cast<double>(places_.size());
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (from_target[i] <= least) continue;
-    if (!preimages) preimages.emplace(mesh);
-    const SurfacePoint goal = index_.closest(places_[i]).point;
-    const auto place = preimages->of(goal);
-    gaps.push_back({from_target[i], place ? *place : surface.closest(places_[i]).point, goal});
+    gaps.push_back(
+        {from_target[i], surface.closest(places_[i]).point, index_.closest(places_[i]).point, area});
+  }
+  if (!gaps.empty()) {
+    const Preimages preimages(mesh);
+    tbb::parallel_for(std::size_t{0}, gaps.size(), [&](std::size_t i) {
+      if (const auto place = preimages.of(gaps[i].goal)) gaps[i].place = *place;
+    });
   }
   Points of_mesh = measured_places(mesh.points, mesh.source.facets());
   for (const auto e : mesh.source.half_edges().edges()) {  // where the mesh cuts over a valley
@@ -84,7 +91,8 @@ std::vector<CoverageGap> CoverageGaps::wider_than(double least, const Compatible
   const std::vector<double> from_mesh = distances(of_mesh, index_);
   for (std::size_t i = 0; i < of_mesh.size(); ++i) {
     if (from_mesh[i] <= least) continue;
-    gaps.push_back({from_mesh[i], surface.closest(of_mesh[i]).point, index_.closest(of_mesh[i]).point});
+    gaps.push_back({from_mesh[i], surface.closest(of_mesh[i]).point, index_.closest(of_mesh[i]).point,
+                    area_ / static_cast<double>(of_mesh.size())});
   }
   std::stable_sort(gaps.begin(), gaps.end(),
                    [](const CoverageGap& a, const CoverageGap& b) { return a.distance > b.distance; });

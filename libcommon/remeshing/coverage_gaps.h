@@ -12,6 +12,7 @@ struct CoverageGap {
   double distance = 0;  ///< in units of the target
   SurfacePoint place;   ///< of the source
   SurfacePoint goal;    ///< of the target: where the mesh should be
+  double area = 0;      ///< what the place stands for among all that were looked at, in units^2 of the target
 };
 
 /// Finds where a compatible mesh and its target are apart, both ways: at vertices and at points spread evenly
@@ -31,6 +32,7 @@ class CoverageGaps {
   const TriMesh& target_;
   SurfaceIndex index_;
   Points places_;
+  double area_ = 0;
 };
 
 }  // namespace partwise

@@ -89,4 +89,16 @@ std::vector<CriticalPair> fit_critical_points(MeshOnSurface& mesh, const std::ve
   return pairs;
 }
 
+std::vector<CriticalPair> meet_critical_points(MeshOnSurface& mesh, std::vector<CriticalPair> pairs,
+                                               double least_quality) {
+  std::erase_if(pairs, [&](const CriticalPair& pair) {
+    if (!has_met(mesh, pair)) {
+      const Vec3& goal = mesh.target().point(pair.target_vertex);
+      mesh.move_to(pair.vertex, mesh.walker().towards(mesh.image(pair.vertex), goal), least_quality);
+    }
+    return !has_met(mesh, pair);
+  });
+  return pairs;
+}
+
 }  // namespace partwise

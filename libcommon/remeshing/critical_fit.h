@@ -31,4 +31,9 @@ std::vector<CriticalPair> pair_critical_points(const MeshOnSurface& mesh,
 std::vector<CriticalPair> fit_critical_points(MeshOnSurface& mesh, const std::vector<CriticalPoint>& critical,
                                               const CriticalFitOptions& options = {});
 
+/// Moves paired vertices onto their critical points where no facet gets flipped or worse than `least_quality`
+/// by that. Returns the pairs that meet.
+std::vector<CriticalPair> meet_critical_points(MeshOnSurface& mesh, std::vector<CriticalPair> pairs,
+                                               double least_quality);
+
 }  // namespace partwise

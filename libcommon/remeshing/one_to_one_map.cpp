@@ -61,11 +61,10 @@ std::vector<bool> held_vertices(const CompatibleMesh& mesh, const RefinedSource&
   return held;
 }
 
-CompatibleMesh with_images(const CompatibleMesh& mesh, const std::vector<SurfacePoint>& images) {
-  CompatibleMesh result = mesh;
+/// \param images of the source's vertices, then of those added on its edges
+CompatibleMesh with_refined_images(const CompatibleMesh& mesh, const std::vector<SurfacePoint>& images) {
   const auto originals = static_cast<std::ptrdiff_t>(mesh.points.size());
-  result.map = SurfaceMap(mesh.source, mesh.target, {images.begin(), images.begin() + originals});
-  result.points = result.map.positions(mesh.target);
+  CompatibleMesh result = with_images(mesh, {images.begin(), images.begin() + originals});
   for (std::size_t i = 0; i < result.added_vertices.size(); ++i) {
     result.added_vertices[i].image = images[mesh.points.size() + i];
   }
@@ -88,7 +87,7 @@ PlacedMarkers with_markers_in_place(const CompatibleMesh& mesh) {
     images[*v] = marker.target;
     placed.names.push_back(marker.name);
   }
-  placed.mesh = with_images(mesh, images);
+  placed.mesh = with_refined_images(mesh, images);
   return placed;
 }
 
@@ -186,7 +185,7 @@ OneToOneMap unfold_on(CompatibleMesh mesh, bool hold_curves) {
     result.moved_vertices += static_cast<int>(of_chart.images.size());
     for (const auto& [vertex, image] : of_chart.images) source.images[vertex] = image;
   }
-  laid = with_images(laid, source.images);
+  laid = with_refined_images(laid, source.images);
   result.charts = check_charts(laid);
   for (int k = 0; k < count; ++k) {
     result.charts[k].folds_before = moves[k].folds_before;

@@ -98,12 +98,7 @@ class Cut {
   MeshOnSurface& moving() { return moving_; }
 
   /// The mesh with all vertices where they have come to.
-  CompatibleMesh finish() const {
-    CompatibleMesh result = mesh_;
-    result.map = SurfaceMap(result.source, result.target, moving_.images());
-    result.points = moving_.points();
-    return result;
-  }
+  CompatibleMesh finish() const { return with_images(mesh_, moving_.images()); }
 
  private:
   int faults_at(int vertex) const {

@@ -139,9 +139,14 @@ void relax_towards_registration(MeshOnSurface& mesh, const std::vector<double>& 
   for (const double strength : options.pulls) {
     // Against distortion, which counts by area: a strength of 1 makes an edge's length as bad as an isometry.
     const std::vector<double> areas = ring_areas(mesh.points(), mesh.source().facets());
-    std::vector<VertexTarget> pulls = registered;
-    for (VertexTarget& pull : pulls) pull.weight *= strength * areas[pull.vertex] / (3 * edge * edge);
-    relax_on_surface(mesh, scales, {.iterations = options.iterations}, pulls);
+    std::vector<PlacePull> pulls;
+    for (const auto& [vertex, place, agreement] : registered) {
+      pulls.push_back({vertex_point(mesh.source(), vertex), place,
+                       agreement * strength * areas[vertex] / (3 * edge * edge)});
+    }
+    relax_on_surface(mesh, scales,
+                     {.iterations = options.iterations, .least_quality = MeshOnSurface::kLeastQuality},
+                     pulls);
   }
 }
 

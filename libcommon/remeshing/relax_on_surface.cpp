@@ -21,7 +21,8 @@ using Tangents = std::vector<Eigen::Matrix<double, 3, 2>>;
 
 class Relaxation {
  public:
-  Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales, const std::vector<VertexTarget>& pulls);
+  Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales, double least_quality,
+             const std::vector<PlacePull>& pulls);
 
   double energy(const Points& points) const;
   double area() const { return area_; }
@@ -31,6 +32,7 @@ class Relaxation {
 
  private:
   FoldoverFree facet(std::size_t f, const Points& points) const;
+  Vec3 offset(const PlacePull& pull, const Points& points) const;
   Eigen::VectorXd newton_direction(const Tangents& tangents);
   std::vector<SurfacePoint> moved(const Points& steps, double length) const;
   Points positions(const std::vector<SurfacePoint>& images) const;
@@ -38,7 +40,8 @@ class Relaxation {
   void measure_normals();
 
   MeshOnSurface& mesh_;
-  const std::vector<VertexTarget>& pulls_;
+  double least_quality_;
+  const std::vector<PlacePull>& pulls_;
   const Facets& facets_;
   std::vector<ReferenceTriangle> references_;
   Points normals_;  // per facet: the target's at its image, unit
@@ -57,9 +60,10 @@ std::vector<bool> pinned(const MeshOnSurface& mesh) {
   return result;
 }
 
-Relaxation::Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales,
-                       const std::vector<VertexTarget>& pulls)
+Relaxation::Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales, double least_quality,
+                       const std::vector<PlacePull>& pulls)
     : mesh_(mesh),
+      least_quality_(least_quality),
       pulls_(pulls),
       facets_(mesh.source().facets()),
       // A plane is the surface of a ball so large that its curvature is lost.
@@ -93,14 +97,18 @@ FoldoverFree Relaxation::facet(std::size_t f, const Points& points) const {
   return {references_[f], height_, kEpsilon, height_ * normals_[f], points[b] + lift, points[c] + lift};
 }
 
+Vec3 Relaxation::offset(const PlacePull& pull, const Points& points) const {
+  const auto& [a, b, c] = facets_[pull.place.facet];
+  const Vec3& shares = pull.place.barycentric;
+  return shares[0] * points[a] + shares[1] * points[b] + shares[2] * points[c] - pull.target;
+}
+
 double Relaxation::energy(const Points& points) const {
   double sum = 0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (!normals_[f].isZero(0)) sum += facet(f, points).energy();
   }
-  for (const VertexTarget& pull : pulls_) {
-    sum += pull.weight * (points[pull.vertex] - pull.target).squaredNorm();
-  }
+  for (const PlacePull& pull : pulls_) sum += pull.weight * offset(pull, points).squaredNorm();
   return sum;
 }
 
@@ -120,14 +128,21 @@ Eigen::VectorXd Relaxation::newton_direction(const Tangents& tangents) {
     }
     blocks[f] = tangent.transpose() * energy.full_hessian() * tangent;
   }
-  Eigen::SparseMatrix<double>& hessian = assembly_.assemble(blocks);
-  for (const VertexTarget& pull : pulls_) {
-    const int u = unknowns_[pull.vertex];
-    if (u < 0) continue;
-    const Vec3 rise = 2 * pull.weight * (mesh_.points()[pull.vertex] - pull.target);
-    gradient.segment<2>(2 * u) += tangents[pull.vertex].transpose() * rise;
-    for (int i = 0; i < 2; ++i) hessian.coeffRef(2 * u + i, 2 * u + i) += 2 * pull.weight;
+  for (const PlacePull& pull : pulls_) {
+    const Facet& corners = facets_[pull.place.facet];
+    const Vec3& shares = pull.place.barycentric;
+    const Vec3 slope = 2 * pull.weight * offset(pull, mesh_.points());
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Matrix<double, 2, 3> across = shares[i] * tangents[corners[i]].transpose();
+      const int u = unknowns_[corners[i]];
+      if (u >= 0) gradient.segment<2>(2 * u) += across * slope;
+      for (int j = 0; j < 3; ++j) {
+        blocks[pull.place.facet].block<2, 2>(2 * i, 2 * j) +=
+            2 * pull.weight * shares[j] * across * tangents[corners[j]];
+      }
+    }
   }
+  Eigen::SparseMatrix<double>& hessian = assembly_.assemble(blocks);
   // A facet may move as a whole without changing its energy; a mesh without pinned vertices, too.
   const double lift = 1e-9 * hessian.diagonal().cwiseAbs().maxCoeff();
   for (int i = 0; i < hessian.rows(); ++i) hessian.coeffRef(i, i) += lift;
@@ -157,15 +172,10 @@ void Relaxation::commit(const std::vector<SurfacePoint>& images) {
     if (unknowns_[v] < 0) continue;
     const SurfacePoint old = mesh_.image(v);
     const Vec3 from = mesh_.points()[v];
-    const int flipped = mesh_.flipped_around(v);
     SurfacePoint next = images[v];
     Vec3 step = position(mesh_.target(), next) - from;
     for (int i = 0; i < kHalvings; ++i) {
-      if (mesh_.allows(v, next)) {
-        mesh_.place(v, next);
-        if (mesh_.flipped_around(v) <= flipped) break;
-        mesh_.place(v, old);
-      }
+      if (mesh_.move_to(v, next, least_quality_)) break;
       step /= 2;
       next = mesh_.walker().towards(old, from + step);
     }
@@ -201,9 +211,9 @@ bool Relaxation::step() {
 
 SurfaceRelaxation relax_on_surface(MeshOnSurface& mesh, const std::vector<double>& scales,
                                    const SurfaceRelaxationOptions& options,
-                                   const std::vector<VertexTarget>& pulls) {
+                                   const std::vector<PlacePull>& pulls) {
   SurfaceRelaxation result;
-  Relaxation relaxation(mesh, scales, pulls);
+  Relaxation relaxation(mesh, scales, options.least_quality, pulls);
   result.energy_before = result.energy_after = relaxation.energy(mesh.points()) / relaxation.area();
   int small_decreases = 0;
   while (result.iterations < options.iterations && small_decreases < kPatience) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "energy/energy_term.h"
 #include "remeshing/mesh_on_surface.h"
 
 namespace partwise {
@@ -8,6 +7,14 @@ namespace partwise {
 struct SurfaceRelaxationOptions {
   int iterations = 20;           ///< of Newton's method, at most; >= 0
   double least_decrease = 1e-3;  ///< relative; five iterations in a row below it end the relaxation
+  double least_quality = -1;     ///< no facet gets worse than this; -1: as flat as it likes
+};
+
+/// A place of the mesh that is drawn to a point in space: weight |place - target|^2 is added to the energy.
+struct PlacePull {
+  SurfacePoint place;  ///< of the source
+  Vec3 target = Vec3::Zero();
+  double weight = 1;
 };
 
 struct SurfaceRelaxation {
@@ -20,12 +27,11 @@ struct SurfaceRelaxation {
 /// relaxation (`relax`) needs hundreds of sweeps for, the slide of a limb along its length, takes a few
 /// steps.
 ///
-/// Pinned vertices stay. A vertex whose step would fold the map, or flip one more facet of the mesh, takes a
-/// part of it or none; where many do, the energy of the whole may rise again.
-/// \param scales per source facet: how much longer its edges should be on the target
-/// \param pulls places in space that vertices are drawn to: weight |place - target|^2 is added to the energy
+/// Pinned vertices stay. A vertex whose step would fold the map, flip one more facet of the mesh or make one
+/// too flat takes a part of it or none; where many do, the energy of the whole may rise again. \param scales
+/// per source facet: how much longer its edges should be on the target
 SurfaceRelaxation relax_on_surface(MeshOnSurface& mesh, const std::vector<double>& scales,
                                    const SurfaceRelaxationOptions& options = {},
-                                   const std::vector<VertexTarget>& pulls = {});
+                                   const std::vector<PlacePull>& pulls = {});
 
 }  // namespace partwise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "error.h"
 #include "geometry/normals.h"
@@ -39,6 +40,8 @@ void check(const RelocateOptions& options) {
   if (options.registration.steps < 0)
     throw InputError("the number of registration steps must not be negative");
   if (!(options.registration.reach > 0)) throw InputError("the reach of the registration must be positive");
+  if (options.gaps.rounds < 0) throw InputError("the number of rounds that close gaps must not be negative");
+  if (!(options.gaps.threshold > 0)) throw InputError("the gaps to close must be wider than 0");
   if (!(options.fit.threshold >= 0)) throw InputError("the threshold of the fit must not be negative");
 }
 
@@ -54,13 +57,6 @@ std::vector<double> part_scales(const CompatibleMesh& mesh) {
     scales.push_back(source[part] > 0 ? std::sqrt(target[part] / source[part]) : 1);
   }
   return scales;
-}
-
-CompatibleMesh with_images(const CompatibleMesh& mesh, const std::vector<SurfacePoint>& images) {
-  CompatibleMesh result = mesh;
-  result.map = SurfaceMap(mesh.source, mesh.target, images);
-  result.points = result.map.positions(mesh.target);
-  return result;
 }
 
 }  // namespace
@@ -85,8 +81,7 @@ CompatibleMesh relocate_by_relaxation(const CompatibleMesh& mesh, const Relocate
   const std::vector<double> scales = part_scales(mesh);
   relax_on_surface(moving, scales, options.relaxation);  // before features pin what has yet to slide
   relax_towards_registration(moving, scales, options.registration);
-  const std::vector<CriticalPair> pairs = fit_critical_points(moving, mesh.critical_points, options.critical);
-  metrics.critical_reached = static_cast<int>(pairs.size());
+  std::vector<CriticalPair> pairs = fit_critical_points(moving, mesh.critical_points, options.critical);
   for (const CriticalPair& pair : pairs) moving.pin(pair.vertex);
   const VertexWeights weights = mean_value_weights(mesh.source.points(), mesh.source.facets());
   while (metrics.rounds < options.rounds) {
@@ -96,6 +91,11 @@ CompatibleMesh relocate_by_relaxation(const CompatibleMesh& mesh, const Relocate
   }
   relax_on_surface(moving, scales, options.relaxation);
   relax(moving, options.relax_sweeps, scales);
+  for (const CriticalPair& pair : pairs) moving.unpin(pair.vertex);
+  close_gaps(moving, mesh, scales, pairs, options.gaps);
+  pairs = meet_critical_points(moving, std::move(pairs), options.fit.least_quality);
+  metrics.critical_reached = static_cast<int>(pairs.size());
+  for (const CriticalPair& pair : pairs) moving.pin(pair.vertex);
   if (unfold(moving, options.unfold) > 0) {
     for (const CriticalPair& pair : pairs) moving.unpin(pair.vertex);
     unfold(moving, options.unfold);

@@ -3,6 +3,7 @@
 #include "geometry/mean_value_weights.h"
 #include "remeshing/coverage_fit.h"
 #include "remeshing/critical_fit.h"
+#include "remeshing/gap_closing.h"
 #include "remeshing/one_to_one_map.h"
 #include "remeshing/refine.h"
 #include "remeshing/registration.h"
@@ -27,6 +28,7 @@ struct RelocateOptions {
   SurfaceRelaxationOptions relaxation = {};
   RegistrationOptions registration = {};
   CriticalFitOptions critical = {};
+  GapClosingOptions gaps = {};
   CoverageFitOptions fit = {};
   UnfoldOptions unfold = {};
   RefineOptions refine = {};  ///< by default nothing is added
@@ -54,12 +56,12 @@ struct Relocation {
 /// facets the source's shape ([Wu11] 6.1.2, 6.2): relaxation of the whole map (relax_on_surface), first alone
 /// and then drawn to a registration of the source (relax_towards_registration), critical points (Eq. (17)),
 /// vertex relocation by the source's mean-value weights (Eq. (18)), then again relaxation of the map's
-/// distortion (towards the source's facets, scaled as their part is), unfolding of what is flipped, and a fit
-/// of what is missed.
+/// distortion (towards the source's facets, scaled as their part is), closing of the gaps that are left
+/// between the surfaces (close_gaps), unfolding of what is flipped, and a fit of what is missed.
 ///
-/// Every vertex stays exactly on the target and the map is kept. Markers (at source vertices), critical
-/// points that were reached, and the boundary of an open source stay in place during relocation. No step adds
-/// a flipped facet, and a map that is one-to-one stays so; its inverse is made anew.
+/// Every vertex stays exactly on the target and the map is kept. Markers (at source vertices) and the
+/// boundary of an open source stay in place, critical points that were reached until gaps are closed. No step
+/// adds a flipped facet, and a map that is one-to-one stays so; its inverse is made anew.
 ///
 /// Differs from [Wu11]: a vertex walks over the target instead of leaving it and being projected back, so
 /// that it never lands on another sheet that is near in space; its step is lambda times the way to the

@@ -36,7 +36,7 @@ setup() {
 }
 
 @test "every step can be switched off" {
-  relocate critical.ply --critical-iterations 0 --rounds 0 --relax-iterations 0 --registration-steps 0 --relax-sweeps 0 --fit-rounds 0 --fit-far-rounds 0 --unfold-sweeps 0 -o same.ply
+  relocate critical.ply --critical-iterations 0 --rounds 0 --relax-iterations 0 --registration-steps 0 --relax-sweeps 0 --gap-rounds 0 --fit-rounds 0 --fit-far-rounds 0 --unfold-sweeps 0 -o same.ply
   measure critical.ply -o before.json
   measure same.ply -o after.json
   [ "$(jq '[.rms_distance, .max_distance]' before.json)" = "$(jq '[.rms_distance, .max_distance]' after.json)" ]
@@ -58,6 +58,8 @@ setup() {
   run relocate critical.ply --lambda 2
   [ "$status" -eq 2 ]
   run relocate critical.ply --rounds -1
+  [ "$status" -eq 2 ]
+  run relocate critical.ply --gap-threshold 0
   [ "$status" -eq 2 ]
   run relocate cross.ply
   [ "$status" -eq 3 ]

@@ -214,6 +214,8 @@ TEST(Relocate, RefusesOptionsOutOfRange) {
   EXPECT_THROW(relocate(mesh, {.lambda = 0}), InputError);
   EXPECT_THROW(relocate(mesh, {.lambda = 1.1}), InputError);
   EXPECT_THROW(relocate(mesh, {.rounds = -1}), InputError);
+  EXPECT_THROW(relocate(mesh, {.gaps = {.rounds = -1}}), InputError);
+  EXPECT_THROW(relocate(mesh, {.gaps = {.threshold = 0}}), InputError);
 }
 
 }  // namespace
