@@ -9,19 +9,6 @@ namespace {
 
 constexpr int kBandCount = 30;
 
-constexpr std::array<Color, 12> kPartColors = {{{0.31F, 0.47F, 0.66F},
-                                                {0.95F, 0.56F, 0.17F},
-                                                {0.35F, 0.63F, 0.31F},
-                                                {0.93F, 0.79F, 0.28F},
-                                                {0.69F, 0.48F, 0.63F},
-                                                {0.46F, 0.72F, 0.70F},
-                                                {0.61F, 0.46F, 0.37F},
-                                                {0.55F, 0.78F, 0.90F},
-                                                {0.75F, 0.73F, 0.42F},
-                                                {0.24F, 0.37F, 0.36F},
-                                                {0.96F, 0.72F, 0.62F},
-                                                {0.49F, 0.49F, 0.76F}}};
-
 }  // namespace
 
 std::vector<Color> part_colors(const std::vector<std::string>& names) {

@@ -21,6 +21,8 @@ teardown() {
 @test "strokes become parts, markers and a file that segment cuts alike" {
   ! grep -q "has no pages" messages || missing_browser "$(cat messages)"
   browser_test sketch.cjs "$(cat address)" labels
+  kill -KILL "$server" # loses nothing
+  server=
   "$PARTWISE_BIN/convert-mesh" camel.off -o camel.ply
   "$PARTWISE_BIN/segment" camel.ply --sketch camel.sketch.json -o camel.segment.ply
   cmp <("$PARTWISE_BIN/sample_mesh" labels camel.segment.ply) labels

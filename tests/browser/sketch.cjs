@@ -86,17 +86,29 @@ async function share_of(model, part) {
   }, [png, color.match(/[0-9]+/g).map(Number)]);
 }
 
+/** Names of the parts that have strokes on a model. */
+async function drawn(model) {
+  return (await sketch(model)).parts.filter(({ strokes: lines }) => lines.length > 0).map(({ name }) => name);
+}
+
 async function add_part(name) {
   await page.keyboard.press("n");
   await page.keyboard.type(name);
   await page.keyboard.press("Enter");
+  await page.waitForFunction(async (wanted) => {
+    if (document.getElementById("saved").textContent !== "Saved") return false;
+    const last = await Promise.all([0, 1].map(async (i) => (await (await fetch(`models/${i}/sketch`)).json()).parts.at(-1)));
+    return last.every((part) => part?.name === wanted);
+  }, name);
+  await page.waitForTimeout(100); // the comparison of the models
 }
+
+const listed = () => page.locator("#parts input").evaluateAll((fields) => fields.map((field) => field.value));
 
 test("asks for parts first", async () => {
   assert.match(await page.locator("#hint").textContent(), /Add the parts/);
   for (const part of parts) await add_part(part);
-  const names = await page.locator("#parts input").evaluateAll((fields) => fields.map((field) => field.value));
-  assert.deepEqual(names, parts);
+  assert.deepEqual(await listed(), parts);
 });
 
 test("strokes colour the parts on both models", async () => {
@@ -125,7 +137,7 @@ test("a stroke beside the model is refused with a word, and saves nothing", asyn
 test("undo and redo go through all strokes", async () => {
   const whole = await sketch("cow");
   await saved(() => page.keyboard.press("Control+z"));
-  assert.deepEqual((await sketch("cow")).parts.map(({ name }) => name), ["head", "body"]);
+  assert.deepEqual(await drawn("cow"), ["head", "body"]);
   assert.ok((await share_of("cow", "hind")) < 0.002);
   await saved(() => page.keyboard.press("Control+Shift+z"));
   assert.deepEqual((await sketch("cow")).parts, whole.parts);
@@ -136,8 +148,95 @@ test("the eraser removes the stroke that it touches", async () => {
   await page.keyboard.press("e");
   const [x, y] = strokes.cow.hind[0];
   await saved(() => drag("cow", [[x - 0.04, y + 0.03], [x + 0.04, y + 0.03]]));
-  assert.deepEqual((await sketch("cow")).parts.map(({ name }) => name), ["head", "body"]);
+  assert.deepEqual(await drawn("cow"), ["head", "body"]);
   await saved(() => page.keyboard.press("Control+z"));
+});
+
+/** Fingers on the screen, each a path of as many points, all at once: they come down one after the other. */
+async function touch(model, ...paths) {
+  const session = await page.context().newCDPSession(page);
+  const send = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+  const point = async (finger, step) => {
+    const [x, y] = await at(model, paths[finger][step]);
+    return { x, y, id: finger };
+  };
+  const down = [];
+  for (const finger of paths.keys()) {
+    down.push(await point(finger, 0));
+    await send("touchStart", down);
+  }
+  for (const step of paths[0].keys()) await send("touchMove", await Promise.all([...paths.keys()].map((finger) => point(finger, step))));
+  await send("touchEnd", []);
+  await session.detach();
+}
+
+/** A pen, which draws through the points while a hand lies on the screen at `palm`. */
+async function pen(model, points, palm) {
+  const session = await page.context().newCDPSession(page);
+  const send = async (type, place, more) => {
+    const [x, y] = await at(model, place);
+    await session.send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons: 1, clickCount: 1, pointerType: "pen", ...more });
+  };
+  const [x, y] = await at(model, palm);
+  const hand = (type, ...touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await send("mousePressed", points[0]);
+  await hand("touchStart", { x, y });
+  for (const place of points) {
+    await send("mouseMoved", place);
+    await hand("touchMove", { x: x + 40 * place[0], y });
+  }
+  await send("mouseReleased", points.at(-1), { buttons: 0 });
+  await hand("touchEnd");
+  await session.detach();
+}
+
+/** Points on the way along a stroke. */
+const along = ([a, b]) => [0, 0.25, 0.5, 0.75, 1].map((t) => a.map((value, i) => (1 - t) * value + t * b[i]));
+
+const body_strokes = async () => (await sketch("cow")).parts[parts.indexOf("body")].strokes;
+
+const picture = async (model) => {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30))));
+  return (await page.locator("canvas").nth(models.indexOf(model)).screenshot()).toString("base64");
+};
+
+async function reset(model) {
+  await page.locator("canvas").nth(models.indexOf(model)).focus();
+  await page.keyboard.press("0");
+}
+
+test("one finger and a pen draw, whatever the palm does", async () => {
+  await page.keyboard.press("2");
+  await saved(() => touch("cow", along(strokes.cow.body)));
+  await saved(() => pen("cow", along(strokes.cow.body), [0.4, 0.9]));
+  const [mouse, finger, pen_stroke] = await body_strokes();
+  for (const stroke of [finger, pen_stroke]) {
+    assert.deepEqual(stroke.camera, mouse.camera);
+    assert.ok(stroke.screen.length >= 5);
+  }
+  for (let i = 0; i < 2; ++i) await saved(() => page.keyboard.press("Control+z"));
+  assert.deepEqual(await body_strokes(), [mouse]);
+});
+
+test("two fingers turn and draw nothing", async () => {
+  await reset("cow"); // with the focus, whose frame is seen
+  const [before_it, strokes_then] = [await picture("cow"), await body_strokes()];
+  await touch("cow", along([[0.3, 0.4], [0.45, 0.4]]), along([[0.5, 0.6], [0.65, 0.6]]));
+  assert.ok((await picture("cow")) !== before_it);
+  assert.deepEqual(await body_strokes(), strokes_then);
+  await reset("cow");
+});
+
+test("a stroke on a turned model keeps the camera that it was drawn with", async () => {
+  const camera = (stroke) => JSON.stringify(stroke.camera);
+  await page.locator("canvas").first().focus();
+  for (let i = 0; i < 3; ++i) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("2");
+  await saved(() => drag("camel", [[0.4, 0.42], [0.5, 0.42]]));
+  const body = (await sketch("camel")).parts[parts.indexOf("body")].strokes;
+  assert.equal(body.length, 2);
+  assert.notEqual(camera(body[0]), camera(body[1]));
+  await reset("camel");
 });
 
 test("a marker asks for its partner, and can be moved, renamed and deleted", async () => {
@@ -190,11 +289,14 @@ test("an anchor is accepted where it is proposed, and its partner asked for", as
 });
 
 test("everything is there again after reloading", async () => {
+  await add_part("tail"); // without a stroke
   const old = await Promise.all(models.map(sketch));
   await open();
+  assert.deepEqual(await listed(), [...parts, "tail"]);
   assert.deepEqual(await Promise.all(models.map(sketch)), old);
   for (const part of parts) assert.ok((await share_of("camel", part)) > 0.003);
   assert.equal(await page.locator("#markers input").inputValue(), "nose");
+  await saved(() => page.getByLabel("Delete tail").click());
 });
 
 test("a run can be cancelled", async () => {
@@ -207,18 +309,14 @@ test("a run can be cancelled", async () => {
 
 test("the models agree, and a run ends with the compatible mesh to look at", async () => {
   assert.match(await page.locator("#differences").textContent(), /Yes/);
-  const picture = async () => {
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30))));
-    return (await page.locator("canvas").first().screenshot()).toString("base64");
-  };
-  const source = await picture();
+  const source = await picture("camel");
   await page.click("#run");
   await page.waitForSelector("#progress .running");
   await page.waitForSelector("#morph-row:not([hidden])", { timeout: 180_000 });
   assert.match(await page.locator("#run-text").textContent(), /[^t] ?Certified one-to-one/);
-  const compatible = await picture();
+  const compatible = await picture("camel");
   await page.locator("#morph").fill("0.5");
-  const halfway = await picture();
+  const halfway = await picture("camel");
   assert.ok(compatible !== source && halfway !== source && halfway !== compatible);
   await page.click("#close-result");
   assert.equal(await page.locator("#run-text").textContent(), "");

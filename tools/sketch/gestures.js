@@ -1,8 +1,10 @@
-// What the pointer does on a view in each mode. Mouse, pen and one finger act; the right button and two fingers turn.
+// What the pointer does on a view in each mode. Mouse, pen and one finger act; the right button, the button of a pen and
+// two fingers turn; the other end of a pen erases.
 import * as THREE from "three";
 import { add_stroke, erase_strokes, names_of, free_name, place } from "./sketches.js";
 
 const reach = 12; // pixels within which something is meant
+const pen_eraser = 5; // PointerEvent.button
 const spacing = 2; // pixels between the points of a stroke
 
 export const modes = {
@@ -25,7 +27,9 @@ export function set_camera_buttons(controls, mode) {
     MIDDLE: THREE.MOUSE.DOLLY,
     RIGHT: turns ? THREE.MOUSE.PAN : THREE.MOUSE.ROTATE,
   };
-  controls.touches = { ONE: turns ? THREE.TOUCH.ROTATE : null, TWO: THREE.TOUCH.DOLLY_ROTATE };
+  controls.touches = turns
+    ? { ONE: THREE.TOUCH.ROTATE, TWO: THREE.TOUCH.DOLLY_PAN }
+    : { ONE: null, TWO: THREE.TOUCH.DOLLY_ROTATE };
 }
 
 /** The member of `candidates` ({point, ...}) that is seen nearest to a pixel, within reach. */
@@ -160,8 +164,8 @@ function placing_anchor(app, model, pixel) {
   });
 }
 
-function begin(app, model, pixel) {
-  switch (app.mode) {
+function begin(app, model, pixel, mode) {
+  switch (mode) {
     case "draw":
       if (app.chosen) return new Stroke(app, model);
       app.tell("Add a part first (N), and draw what belongs to it.");
@@ -179,7 +183,9 @@ export function listen(app, model) {
   const { canvas } = view;
   const down = new Set(); // fingers and pens
   let gesture = null;
+  let pen = null; // the pen that draws
   canvas.addEventListener("pointerdown", (event) => {
+    if (pen !== null) return; // the palm of the hand that holds it
     down.add(event.pointerId);
     if (down.size > 1) {
       // A second finger: the hand turns the model.
@@ -187,11 +193,15 @@ export function listen(app, model) {
       gesture = null;
       return;
     }
-    if (event.button !== 0 || app.busy) return;
+    const erases = event.pointerType === "pen" && event.button === pen_eraser;
+    if ((event.button !== 0 && !erases) || app.busy) return;
     app.tell(null);
     const pixel = view.pixel(event);
-    gesture = begin(app, model, pixel);
+    gesture = begin(app, model, pixel, erases ? "erase" : app.mode);
     gesture?.move(pixel, event);
+    if (!gesture || event.pointerType !== "pen") return;
+    pen = event.pointerId;
+    view.controls.enabled = false;
   });
   canvas.addEventListener("pointermove", (event) => {
     if (!gesture || !down.has(event.pointerId)) return;
@@ -199,7 +209,11 @@ export function listen(app, model) {
     gesture.move(view.pixel(event), event);
   });
   const lift = (event, ended) => {
-    down.delete(event.pointerId);
+    if (!down.delete(event.pointerId)) return;
+    if (event.pointerId === pen) {
+      pen = null;
+      view.controls.enabled = true;
+    }
     const finished = gesture;
     gesture = null;
     if (ended) finished?.end();

@@ -1,6 +1,6 @@
 // The lists beside the views: parts, markers, anchors, and whether the models agree.
 import { css } from "../report/colors.js";
-import { part_color } from "./palette.js";
+import { part_colors } from "./palette.js";
 import { names_of, strokes_of } from "./sketches.js";
 
 const by_id = (id) => document.getElementById(id);
@@ -36,12 +36,12 @@ function empty(text) {
   return element("li", { className: "empty", textContent: text });
 }
 
-function part_row(app, name, index) {
+function part_row(app, name, index, color) {
   const strokes = app.models.map((_, model) => strokes_of(app.state, model, name).length);
   const row = element("li", { className: "row" });
   row.classList.toggle("chosen", name === app.chosen);
   const swatch = button(index < 9 ? String(index + 1) : "", `Draw ${name}`, () => app.choose(name), "swatch");
-  swatch.style.background = css(part_color(index));
+  swatch.style.background = css(color);
   swatch.setAttribute("aria-pressed", name === app.chosen);
   const field = name_field(name, `Name of ${name}`, (to) => app.rename_part(name, to));
   field.addEventListener("focus", () => app.choose(name));
@@ -65,7 +65,8 @@ function place_row(app, kind, name, number) {
 
 export function show_lists(app) {
   const { state } = app;
-  by_id("parts").replaceChildren(...(state.parts.length > 0 ? state.parts.map((name, i) => part_row(app, name, i)) : [empty("none yet")]));
+  const colors = part_colors(state.parts);
+  by_id("parts").replaceChildren(...(state.parts.length > 0 ? state.parts.map((name, i) => part_row(app, name, i, colors.get(name))) : [empty("none yet")]));
   for (const kind of ["markers", "anchors"]) {
     const names = names_of(state, kind);
     by_id(kind).replaceChildren(...(names.length > 0

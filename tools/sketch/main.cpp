@@ -11,6 +11,7 @@
 #include "io/mesh_files.h"
 #include "io/stage_documents.h"
 #include "report/page.h"
+#include "report/palette.h"
 #include "sketch/server.h"
 #include "sketching/requests.h"
 
@@ -108,8 +109,11 @@ void sketch(cli::Command& command, const Options& options) {
   std::unique_ptr<sketching::PipelineRun> run;
   if (models.size() == 2) run = std::make_unique<sketching::PipelineRun>(places(models, options.folder));
   const std::string token = sketching::random_token(kTokenOctets);
-  sketching::Requests requests(token, report::html_page(report::Page::sketch, title, io::Json::object(), {}),
-                               std::move(models), std::move(run));
+  sketching::Requests requests(
+      token,
+      report::html_page(report::Page::sketch, title, io::Json::object({{"part_colors", report::kPartColors}}),
+                        {}),
+      std::move(models), std::move(run));
   sketching::serve(requests, options.port, [&](int port) {
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/" + token + "/";
     std::cout << address << std::endl;

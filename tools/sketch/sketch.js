@@ -4,7 +4,7 @@ import { is_dark, theme_button } from "../report/theme.js";
 import { listen, modes, set_camera_buttons } from "./gestures.js";
 import { History } from "./history.js";
 import { show_agreement, show_lists, show_status } from "./lists.js";
-import { part_color, stroke_color } from "./palette.js";
+import { part_colors, stroke_color } from "./palette.js";
 import { Running } from "./running.js";
 import * as server from "./server.js";
 import * as sketches from "./sketches.js";
@@ -22,7 +22,7 @@ const rest = 1200; // milliseconds after the last change
 const turn_step = Math.PI / 24; // of an arrow key
 
 const keys = [
-  ["T or Space held", "turn the model (also: right mouse button, two fingers)"],
+  ["T or Space held", "turn the model (also: right mouse button, button of a pen, two fingers)"],
   ["D, E, M, A", "draw, erase, place markers, place anchors"],
   ["1 … 9", "choose a part"],
   ["N", "add a part"],
@@ -58,7 +58,7 @@ class App {
   }
 
   chosen_color() {
-    return stroke_color(this.state.parts.indexOf(this.chosen));
+    return stroke_color(part_colors(this.state.parts).get(this.chosen));
   }
 
   // What changes the sketches.
@@ -201,9 +201,9 @@ class App {
   }
 
   drawn_strokes(model) {
-    return this.state.parts.flatMap((part, index) => sketches.strokes_of(this.state, model, part).map((stroke) => {
+    return [...part_colors(this.state.parts)].flatMap(([part, color]) => sketches.strokes_of(this.state, model, part).map((stroke) => {
       if (!this.pieces.has(stroke)) this.pieces.set(stroke, this.views[model].stroke_pieces(stroke));
-      return { stroke, pieces: this.pieces.get(stroke), color: stroke_color(index) };
+      return { stroke, pieces: this.pieces.get(stroke), color: stroke_color(color) };
     }));
   }
 
@@ -212,10 +212,8 @@ class App {
     const view = this.views[model];
     const result = this.results[model];
     const none = plain[is_dark() ? "dark" : "light"];
-    const colors = (result?.parts ?? []).map(({ name }) => {
-      const index = this.state.parts.indexOf(name);
-      return index < 0 ? none : part_color(index);
-    });
+    const of_parts = part_colors(this.state.parts);
+    const colors = (result?.parts ?? []).map(({ name }) => of_parts.get(name) ?? none);
     const labelled = colors.length > 0 && this.labels[model] ? this.labels[model] : null;
     view.paint(labelled, colors, none);
     view.material.uniforms.cell.value = this.busy && model === 0 ? pattern_cell : 0;
@@ -305,7 +303,7 @@ class App {
     if (this.mode !== "draw") return modes[this.mode].text;
     if (parts.length === 0) return "Add the parts to tell apart, such as head and body (+ Add a part, or N).";
     const bare = this.models.findIndex((_, model) => sketches.strokes_of(this.state, model, this.chosen).length === 0);
-    if (bare >= 0) return `Draw a stroke along ${this.chosen} on ${this.models[bare].name}. Space held or the right button turns the model.`;
+    if (bare >= 0) return `Draw a stroke along ${this.chosen} on ${this.models[bare].name}. Space held, the right button or two fingers turn the model.`;
     const other = parts.find((part) => this.models.some((_, model) => sketches.strokes_of(this.state, model, part).length === 0));
     if (other) return `${this.chosen} is drawn. Next: ${other} (choose it by its number).`;
     if (parts.length === 1) return "Add another part (N).";

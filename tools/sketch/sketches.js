@@ -14,11 +14,17 @@ export function free_name(kind, taken) {
 }
 
 /**
- * A state is {parts: names, sketches: one per model}. Parts that a sketch does not name are parts without a stroke
- * there; the order of a sketch's parts is that of the list.
+ * A state is {parts: names, sketches: one per model}. Parts that a sketch read from a file does not name have no stroke
+ * there; what is written names them all, in the order of the list, so that no part is lost before it is drawn.
  */
 export function state_of(sketches) {
   return { parts: part_names(sketches), sketches };
+}
+
+/** A sketch's entries for these parts, in this order. */
+function all_parts(sketch, names) {
+  const named = new Map((sketch.parts ?? []).map((part) => [part.name, part]));
+  return names.map((name) => named.get(name) ?? { name, strokes: [] });
 }
 
 function with_sketch(state, model, changes) {
@@ -26,7 +32,8 @@ function with_sketch(state, model, changes) {
 }
 
 export function add_part(state, name) {
-  return { ...state, parts: [...state.parts, name] };
+  const parts = [...state.parts, name];
+  return { parts, sketches: state.sketches.map((sketch) => ({ ...sketch, parts: all_parts(sketch, parts) })) };
 }
 
 export function strokes_of(state, model, part) {
@@ -34,11 +41,8 @@ export function strokes_of(state, model, part) {
 }
 
 function with_strokes(state, model, part, strokes) {
-  const old = state.sketches[model].parts ?? [];
-  const entry = { ...(old.find(({ name }) => name === part) ?? { name: part }), strokes };
-  const named = new Map(old.map((other) => [other.name, other])).set(part, entry);
-  const parts = state.parts.map((name) => named.get(name)).filter((other) => other?.strokes?.length > 0);
-  return with_sketch(state, model, { parts });
+  const parts = all_parts(state.sketches[model], state.parts);
+  return with_sketch(state, model, { parts: parts.map((entry) => (entry.name === part ? { ...entry, strokes } : entry)) });
 }
 
 export function add_stroke(state, model, part, stroke) {
