@@ -1,6 +1,5 @@
 #include "cli/command.h"
 #include "io/stage_documents.h"
-#include "io/table_builder.h"
 #include "remeshing/critical_points.h"
 
 namespace {
@@ -27,19 +26,8 @@ io::Json metrics_of(const CriticalPoints& critical, int vertices) {
 
 /// The mesh alone, with its own critical points in a table.
 io::Document mesh_document(const TriMesh& mesh, const CriticalPoints& critical) {
-  std::vector<int> vertices;
-  std::vector<double> curvatures, radii;
-  for (const CriticalPoint& point : critical.points) {
-    vertices.push_back(point.vertex);
-    curvatures.push_back(point.curvature);
-    radii.push_back(point.radius);
-  }
   io::Document document = io::to_document(mesh);
-  document.tables.elements.push_back(io::ElementBuilder("critical_point", vertices.size())
-                                         .integers("vertex", vertices)
-                                         .numbers("curvature", curvatures)
-                                         .numbers("radius", radii)
-                                         .build());
+  document.tables.elements.push_back(io::critical_point_element("vertex", critical.points));
   return document;
 }
 

@@ -37,29 +37,15 @@ Element target_vertex_element(const CompatibleMesh& mesh) {
   return builder.build();
 }
 
-Element critical_point_element(const std::vector<CriticalPoint>& points) {
-  std::vector<int> vertices;
-  std::vector<double> curvatures, radii;
-  for (const CriticalPoint& point : points) {
-    vertices.push_back(point.vertex);
-    curvatures.push_back(point.curvature);
-    radii.push_back(point.radius);
-  }
-  return ElementBuilder("critical_point", points.size())
-      .integers("target_vertex", vertices)
-      .numbers("curvature", curvatures)
-      .numbers("radius", radii)
-      .build();
-}
-
 std::vector<CriticalPoint> read_critical_points(const PlyTables& tables, const TriMesh& target) {
   const ElementReader table(tables, "critical_point");
   const auto vertices = table.integers("target_vertex", 0, target.vertex_count() - 1);
   const auto curvatures = table.numbers("curvature");
   const auto radii = table.numbers("radius", 0, std::numeric_limits<double>::max());
+  std::vector<std::vector<int>> regions = table.lists("region", 0, target.vertex_count() - 1);
   std::vector<CriticalPoint> points;
   for (std::size_t row = 0; row < vertices.size(); ++row) {
-    points.push_back({vertices[row], curvatures[row], radii[row]});
+    points.push_back({vertices[row], curvatures[row], radii[row], std::move(regions[row])});
   }
   return points;
 }
@@ -70,6 +56,24 @@ void require_size(std::size_t size, int expected, const std::string& what) {
 }
 
 }  // namespace
+
+Element critical_point_element(const std::string& vertex, const std::vector<CriticalPoint>& points) {
+  std::vector<int> vertices;
+  std::vector<double> curvatures, radii;
+  std::vector<std::vector<int>> regions;
+  for (const CriticalPoint& point : points) {
+    vertices.push_back(point.vertex);
+    curvatures.push_back(point.curvature);
+    radii.push_back(point.radius);
+    regions.push_back(point.region);
+  }
+  return ElementBuilder("critical_point", points.size())
+      .integers(vertex, vertices)
+      .numbers("curvature", curvatures)
+      .numbers("radius", radii)
+      .lists("region", regions)
+      .build();
+}
 
 Document to_document(const CompatibleMesh& mesh) {
   require_size(mesh.points.size(), mesh.source.vertex_count(), "positions");
@@ -91,7 +95,7 @@ Document to_document(const CompatibleMesh& mesh) {
           .facets(mesh.target.facets())
           .integers("part", mesh.target_labels)
           .build(),
-      critical_point_element(mesh.critical_points)};
+      critical_point_element("target_vertex", mesh.critical_points)};
   add_charts(document, mesh);
   add_refinement(document, mesh);
   return document;

@@ -25,4 +25,7 @@ HullMap read_hull_map(const Document& document);
 CrossMap read_cross_map(const Document& document);
 CompatibleMesh read_compatible_mesh(const Document& document);
 
+/// Table `critical_point`. \param vertex name of the column that says which vertex a point is
+Element critical_point_element(const std::string& vertex, const std::vector<CriticalPoint>& points);
+
 }  // namespace partwise::io

@@ -13,6 +13,8 @@ struct CriticalPoint {
   int vertex = 0;
   double curvature = 0;  ///< K of Eq. (16), per unit of area
   double radius = 0;     ///< of its local region, in units of the model
+  /// Vertices of its local region that are in no earlier one, ascending; every vertex is in one region.
+  std::vector<int> region = {};
 };
 
 /// How a source with added vertices came from the one that was read. The surface is the same.

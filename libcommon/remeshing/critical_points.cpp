@@ -19,8 +19,9 @@ class RegionGrower {
  public:
   explicit RegionGrower(const TriMesh& mesh) : mesh_(mesh), distance_(mesh.vertex_count(), kUnreached) {}
 
-  /// Marks all vertices within `radius` of `centre` as taken.
-  void take(int centre, double radius, std::vector<bool>& taken) {
+  /// Marks all vertices within `radius` of `centre` as taken. Returns those that were not, ascending.
+  std::vector<int> take(int centre, double radius, std::vector<bool>& taken) {
+    std::vector<int> region;
     queue_.emplace(0.0, centre);
     distance_[centre] = 0;
     reached_.push_back(centre);
@@ -28,6 +29,7 @@ class RegionGrower {
       const auto [distance, vertex] = queue_.top();
       queue_.pop();
       if (distance > distance_[vertex]) continue;
+      if (!taken[vertex]) region.push_back(vertex);
       taken[vertex] = true;
       for (const auto neighbour : mesh_.half_edges().vv_range(OpenMesh::VertexHandle(vertex))) {
         relax(neighbour.idx(), distance + (mesh_.point(neighbour.idx()) - mesh_.point(vertex)).norm(),
@@ -36,6 +38,8 @@ class RegionGrower {
     }
     for (const int vertex : reached_) distance_[vertex] = kUnreached;
     reached_.clear();
+    std::sort(region.begin(), region.end());
+    return region;
   }
 
  private:
@@ -80,7 +84,7 @@ std::vector<CriticalPoint> select(const TriMesh& mesh, const std::vector<double>
     const double radius = radius_scale < steepness * diagonal ? radius_scale / steepness : diagonal;
     points.push_back({vertex, curvature[vertex], radius});
     if (static_cast<int>(points.size()) > limit) break;
-    grower.take(vertex, radius, taken);
+    points.back().region = grower.take(vertex, radius, taken);
   }
   return points;
 }

@@ -25,7 +25,8 @@ struct CriticalPoints {
 /// The vertex with the largest |K| (Eq. (16)) that is still free is critical; it removes all vertices whose
 /// distance along the edges of the mesh is at most r = 1 / (l |K|), l the mesh's diagonal; repeated until no
 /// vertex is free. K is per unit of area, so r is a length and scaling the mesh changes nothing. r is at most
-/// l, for flat vertices. Equal |K| (within rounding) are taken by ascending vertex.
+/// l, for flat vertices. What a vertex removes is its region; with more components than points allowed, some
+/// vertices are in none. Equal |K| (within rounding) are taken by ascending vertex.
 ///
 /// Differs from [Wu11]: the number of points is bounded by widening all regions by one common factor, because
 /// cutting the list short instead would leave the flatter regions without any point.

@@ -29,6 +29,7 @@ setup() {
   critical-points solid.ply --fraction 1 -o critical.ply
   jq -e '.schema == "partwise/mesh-1" and .metrics["critical-points"].critical_points >= 1' critical.json
   grep -a -q "element critical_point" critical.ply
+  grep -a -q "property list int int region" critical.ply
 }
 
 @test "wrong usage ends with 2, the wrong document with 3" {

@@ -155,6 +155,7 @@ void expect_equal(const CompatibleMesh& a, const CompatibleMesh& b) {
   for (std::size_t i = 0; i < a.critical_points.size(); ++i) {
     EXPECT_EQ(a.critical_points[i].vertex, b.critical_points[i].vertex);
     EXPECT_EQ(a.critical_points[i].curvature, b.critical_points[i].curvature);
+    EXPECT_EQ(a.critical_points[i].region, b.critical_points[i].region);
     EXPECT_EQ(a.critical_points[i].radius, b.critical_points[i].radius);
   }
   EXPECT_EQ(a.refinement.original_facets, b.refinement.original_facets);

@@ -141,7 +141,7 @@ CompatibleMesh sample_compatible_mesh() {
                       three_way_labels(target),
                       {"top", "left", "right"},
                       {{"nose", some_point(1, random), some_point(2, random)}},
-                      {{7, -0.1, 2.0 / 3}, {3, 1e-300, 0}}};
+                      {{7, -0.1, 2.0 / 3, {2, 7, 9}}, {3, 1e-300, 0, {3}}}};
   // Their directions need not make a map: documents say what is there, certificates whether it holds.
   for (const std::vector<int>& parts : {std::vector<int>{0, 2}, std::vector<int>{1}}) {
     Chart chart{parts, {}};

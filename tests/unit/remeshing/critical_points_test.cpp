@@ -62,6 +62,20 @@ TEST(CriticalPoints, LeaveNoVertexFarFromOne) {
   }
 }
 
+TEST(CriticalPoints, RegionsShareOutTheVerticesAndStayWithinTheirRadius) {
+  const TriMesh mesh = uneven_bumpy_sphere(16);
+  std::vector<int> owners(mesh.vertex_count(), 0);
+  for (const CriticalPoint& c : find_critical_points(mesh, {.fraction = 0.05}).points) {
+    EXPECT_TRUE(std::is_sorted(c.region.begin(), c.region.end()));
+    EXPECT_TRUE(std::binary_search(c.region.begin(), c.region.end(), c.vertex));
+    for (const int v : c.region) {
+      ++owners[v];
+      EXPECT_LE((mesh.point(v) - mesh.point(c.vertex)).norm(), c.radius) << "vertex " << v;
+    }
+  }
+  EXPECT_EQ(owners, std::vector<int>(mesh.vertex_count(), 1));
+}
+
 TEST(CriticalPoints, DoNotDependOnScalePlaceOrNumbering) {
   const TriMesh mesh = uneven_bumpy_sphere(12);
   const std::vector<int> expected = vertices_of(find_critical_points(mesh));

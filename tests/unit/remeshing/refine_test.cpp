@@ -48,8 +48,11 @@ TEST(Refine, StopsAtTheLimit) {
   const Refined result = refine(mesh, {.error = 0.001, .limit = 0.1});
   EXPECT_EQ(result.figures.added_vertices, static_cast<int>(0.1 * mesh.source.vertex_count()));
   EXPECT_GT(result.figures.gaps_after, 0);
+  EXPECT_LT(result.figures.gaps_after, result.figures.gaps_before);
   // So few vertices need not lower the largest distance, but the surfaces come closer.
-  EXPECT_LT(two_sided_rms(result.mesh), two_sided_rms(mesh));
+  EXPECT_LE(two_sided(result.mesh), two_sided(mesh));
+  EXPECT_LT(two_sided_rms(result.mesh), 0.95 * two_sided_rms(mesh));
+  EXPECT_TRUE(certify(result.mesh).one_to_one());
 }
 
 TEST(Refine, AddsNothingWhereNothingIsMissing) {
