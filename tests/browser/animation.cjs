@@ -4,7 +4,7 @@ const assert = require("node:assert");
 const { readFileSync, writeFileSync } = require("node:fs");
 const { after, before, test } = require("node:test");
 const path = require("node:path");
-const { chromium, options, open_page, shoot, difference, covered } = require("./page.cjs");
+const { launch, open_page, shoot, difference, covered } = require("./page.cjs");
 
 const [modules, file, seconds, ...frame_files] = process.argv.slice(2);
 const frames = frame_files.map((name) => {
@@ -22,7 +22,7 @@ before(async () => {
   const html = path.join(path.dirname(file), "animation.html");
   writeFileSync(html, `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">
 <canvas id="canvas" width="480" height="360"></canvas><script>${outputFiles[0].text}</script>`);
-  browser = await chromium.launch(options);
+  browser = await launch();
   ({ page, complaints, requests } = await open_page(browser, html));
   loaded = await page.evaluate((base64) => viewer.load(base64), readFileSync(file).toString("base64"));
 });

@@ -1,13 +1,13 @@
 // The page of a batch with pairs a-b (done, with a page), a-c and a-d (failed): batch.cjs PAGE
 const assert = require("node:assert");
 const { after, before, test } = require("node:test");
-const { chromium, options, open_page } = require("./page.cjs");
+const { launch, open_page } = require("./page.cjs");
 
 const [file] = process.argv.slice(2);
 let browser, page, complaints, requests;
 
 before(async () => {
-  browser = await chromium.launch(options);
+  browser = await launch();
   ({ page, complaints, requests } = await open_page(browser, file));
 });
 after(() => browser.close());

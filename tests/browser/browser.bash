@@ -1,4 +1,4 @@
-# For tests that drive the report's pages in headless Chromium.
+# For tests that drive pages in a headless browser.
 
 # make_page FOLDER PAGE [OPTION...]: the page of a pair or, with --index, of a batch.
 make_page() {
@@ -10,12 +10,12 @@ make_page() {
 }
 
 # browser_test SCRIPT [ARGUMENT...]
-# Runs tests/browser/SCRIPT by node. Where Chromium, node or npm's registry is missing the test is skipped, unless
-# PARTWISE_REQUIRE_BROWSER is set.
+# Runs tests/browser/SCRIPT by node, in PARTWISE_BROWSER: chromium, unless it says firefox-esr. Where that, node or npm's
+# registry is missing the test is skipped, unless PARTWISE_REQUIRE_BROWSER is set.
 browser_test() {
-  local here=$BATS_TEST_DIRNAME/../browser script=$1
+  local here=$BATS_TEST_DIRNAME/../browser script=$1 browser=${PARTWISE_BROWSER:-chromium}
   shift
-  command -v chromium >/dev/null || missing_browser "there is no chromium"
+  command -v "$browser" >/dev/null || missing_browser "there is no $browser"
   command -v npm >/dev/null || missing_browser "there is no npm"
   browser_driver "$here" || missing_browser "npm could not bring playwright-core"
   NODE_PATH="$PARTWISE_BUILD/tests/browser/node_modules" node --test-reporter=spec "$here/$script" "$@"

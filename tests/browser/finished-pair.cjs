@@ -2,7 +2,7 @@
 const assert = require("node:assert");
 const { readFileSync, statSync } = require("node:fs");
 const { after, before, test } = require("node:test");
-const { chromium, options, open_page, shoot, share, difference, covered, settled } = require("./page.cjs");
+const { launch, open_page, shoot, share, difference, covered, settled } = require("./page.cjs");
 
 const [file, measure_file] = process.argv.slice(2);
 const measure = JSON.parse(readFileSync(measure_file));
@@ -11,7 +11,7 @@ const spot = "r > 190 && g < 40 && b > 90 && b < 160";
 let browser, page, complaints, requests;
 
 before(async () => {
-  browser = await chromium.launch(options);
+  browser = await launch();
   ({ page, complaints, requests } = await open_page(browser, file));
 });
 after(() => browser.close());

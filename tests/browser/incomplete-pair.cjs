@@ -1,14 +1,14 @@
 // The page of a source on its hulls with folds, and nothing else: incomplete-pair.cjs PAGE
 const assert = require("node:assert");
 const { after, before, test } = require("node:test");
-const { chromium, options, open_page, shoot, share, covered } = require("./page.cjs");
+const { launch, open_page, shoot, share, covered } = require("./page.cjs");
 
 const [file] = process.argv.slice(2);
 const red = "r > 190 && g < 60 && b < 60";
 let browser, page, complaints, requests;
 
 before(async () => {
-  browser = await chromium.launch(options);
+  browser = await launch();
   ({ page, complaints, requests } = await open_page(browser, file));
 });
 after(() => browser.close());

@@ -1,10 +1,23 @@
-// Opens a page in headless Chromium and looks at what it draws.
-const { chromium } = require("playwright-core");
+// Opens a page in a headless browser and looks at what it draws.
+const { chromium, firefox } = require("playwright-core");
 
-const options = {
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-};
+const browser_name = process.env.PARTWISE_BROWSER || "chromium";
+
+/** Starts Chromium or, for PARTWISE_BROWSER=firefox-esr, Firefox as Debian has it; both draw by software. */
+function launch() {
+  if (browser_name === "chromium") {
+    return chromium.launch({
+      executablePath: "/usr/bin/chromium",
+      args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+    });
+  }
+  return firefox.launch({
+    executablePath: "/usr/bin/firefox-esr",
+    channel: "moz-firefox", // driven by WebDriver BiDi, as any Firefox can be
+    env: { ...process.env, MOZ_WEBGL_FORCE_EGL: "1" }, // GLX would need an X server
+    firefoxUserPrefs: { "webgl.force-enabled": true, "services.settings.server": "data:,none" }, // which it asks by itself
+  });
+}
 
 /** A page with all that it complains of, and all addresses that it asks for. */
 async function open_page(browser, file, { colorScheme = "light", width = 1280, height = 720 } = {}) {
@@ -85,4 +98,4 @@ async function covered(page, name, half) {
   return share(page, name, half, `Math.abs(r - ${r}) + Math.abs(g - ${g}) + Math.abs(b - ${b}) > 24`);
 }
 
-module.exports = { chromium, options, open_page, shoot, share, difference, covered, settled };
+module.exports = { browser_name, launch, open_page, shoot, share, difference, covered, settled };

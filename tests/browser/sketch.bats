@@ -1,4 +1,4 @@
-# The page of the tool sketch in headless Chromium, on camel and cow.
+# The page of the tool sketch in headless browsers, on camel and cow.
 load browser.bash
 load ../pipelines/pipelines.bash
 
@@ -26,4 +26,9 @@ teardown() {
   "$PARTWISE_BIN/convert-mesh" camel.off -o camel.ply
   "$PARTWISE_BIN/segment" camel.ply --sketch camel.sketch.json -o camel.segment.ply
   cmp <("$PARTWISE_BIN/sample_mesh" labels camel.segment.ply) labels
+}
+
+@test "the same in Firefox" {
+  ! grep -q "has no pages" messages || missing_browser "$(cat messages)"
+  PARTWISE_BROWSER=firefox-esr browser_test sketch.cjs "$(cat address)" labels
 }
