@@ -13,6 +13,8 @@ namespace {
 
 using io::Json;
 
+constexpr std::size_t kLargestPlace = 1000;  // octets
+
 Answer json(const Json& value) {
   return {200, "application/json", value.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
@@ -88,16 +90,30 @@ Answer Requests::answer(const Request& request) {
 // What takes long, computed from what was there when it was asked for.
 std::optional<Answer> Requests::slow(const Request& request) {
   for (std::size_t i = 0; i < models_.size(); ++i) {
-    if (request.path != "models/" + std::to_string(i) + "/hints") continue;
-    if (changes_something(request.method)) return wrong_method();
-    std::shared_ptr<const SegmentedModel> model;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      model = models_[i]->segmented();
-    }
-    return json(model ? hints(*model) : Json{{"concave", Json::array()}, {"proposed_cuts", Json::array()}});
+    const std::string prefix = "models/" + std::to_string(i) + "/";
+    if (request.path == prefix + "hints") return hints_of(request, *models_[i]);
+    if (request.path == prefix + "mirror") return mirror_of(request, *models_[i]);
   }
   return {};
+}
+
+Answer Requests::hints_of(const Request& request, const SketchedModel& model) {
+  if (changes_something(request.method)) return wrong_method();
+  std::shared_ptr<const SegmentedModel> segmented;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    segmented = model.segmented();
+  }
+  return json(segmented ? hints(*segmented)
+                        : Json{{"concave", Json::array()}, {"proposed_cuts", Json::array()}});
+}
+
+// A place is sent as what changes something is, though it changes nothing: it has a body.
+Answer Requests::mirror_of(const Request& request, SketchedModel& model) {
+  if (!changes_something(request.method)) return json(model.mirror().facts());
+  if (request.method != "POST") return wrong_method();
+  if (request.body.size() > kLargestPlace) return error(413, "that is too large for a place");
+  return json(model.mirrored(request.body));
 }
 
 Answer Requests::routed(const Request& request) {

@@ -34,8 +34,14 @@ struct Answer {
 /// Only paths below "/<token>/" are answered, only for a Host that is the server's own address (a page of
 /// another site cannot reach in by a name that it lets point here), and what changes something only from the
 /// page itself (Origin) and as JSON whose size is known beforehand. No path or file name comes from a
-/// request. Threads may share it: answers follow one another, but for hints, which keep no stroke
-/// waiting.
+/// request. Threads may share it: answers follow one another, but for hints and mirrored places,
+/// which keep no stroke waiting.
+///
+/// Below the token: the page; `models`, the facts of each; of model N, `models/N/sketch` (GET, PUT),
+/// `result`, `mesh`, `hints` (GET), and `mirror`: GET says how symmetric it is, POST of a marker's place
+/// (SketchedModel
+/// ::mirrored, at most 1,000 octets) gives the mirrored place; `check`, whether two models agree; `run` (GET,
+/// POST to start, DELETE to cancel), `run/mesh`, `run/measure`.
 class Requests {
  public:
   /// \param token what the page's address must begin with \pre not empty
@@ -58,6 +64,8 @@ class Requests {
  private:
   Answer routed(const Request& request);
   std::optional<Answer> slow(const Request& request);
+  Answer hints_of(const Request& request, const SketchedModel& model);
+  static Answer mirror_of(const Request& request, SketchedModel& model);
   Answer of_model(const Request& request, SketchedModel& model, const std::string& what);
   Answer of_run(const Request& request, const std::string& what);
 

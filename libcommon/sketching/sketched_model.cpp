@@ -17,6 +17,7 @@
 #include "segmentation/compatibility.h"
 #include "segmentation/concavity.h"
 #include "segmentation/cut_proposals.h"
+#include "segmentation/surface_places.h"
 
 namespace partwise::sketching {
 namespace {
@@ -245,6 +246,24 @@ void SketchedModel::segment(const Sketch& sketch) {
     segmented_.reset();
   }
   result_["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+const Mirror& SketchedModel::mirror() {
+  std::call_once(mirror_made_, [&] { mirror_ = std::make_unique<const Mirror>(segmenter_.mesh()); });
+  return *mirror_;
+}
+
+io::Json SketchedModel::mirrored(const std::string& place) {
+  Json marker = parsed(place);
+  if (!marker.is_object()) throw InputError("a place must be an object");
+  marker["name"] = "marker";
+  const Sketch sketch =
+      io::parse_sketch(Json{{"schema", "partwise/sketch-1"}, {"markers", Json::array({marker})}});
+  SurfacePlaces places(segmenter_.mesh(), SegmentationOptions().snap_limit);
+  const auto image = mirror().image(places.locate(sketch.markers[0].place, "marker"));
+  if (!image) return Json::object();
+  const Vec3& b = image->barycentric;
+  return {{"face", image->facet}, {"barycentric", {b[0], b[1], b[2]}}};
 }
 
 // What the strokes make of the mesh when it is a marker or an anchor that does not fit.

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "io/document.h"
 #include "segmentation/segmenter.h"
+#include "sketching/mirror.h"
 
 /// What the tool `sketch` does for a page on which a person draws strokes and picks markers.
 namespace partwise::sketching {
@@ -48,6 +50,15 @@ class SketchedModel {
   /// The parts; nothing while there is a problem.
   std::shared_ptr<const SegmentedModel> segmented() const { return segmented_; }
 
+  /// The model's symmetry, looked for when it is first asked for (about a second). Unlike all else here,
+  /// threads may ask for it at once, and while another thread changes the sketch.
+  const Mirror& mirror();
+
+  /// Where the mirror image of a place lies: `face` and `barycentric`; an empty object when that is the place
+  /// itself. Threads may ask as for mirror(). \param place a marker's as in a sketch document, by `vertex`,
+  /// `face` or `point` \throws InputError when it is none, or the model is not symmetric
+  io::Json mirrored(const std::string& place);
+
  private:
   void save(const io::Json& document);
   void segment(const Sketch& sketch);
@@ -63,6 +74,8 @@ class SketchedModel {
   io::Json result_;
   std::shared_ptr<const SegmentedModel> segmented_;
   bool changed_ = false;
+  std::once_flag mirror_made_;
+  std::unique_ptr<const Mirror> mirror_;
 };
 
 /// Which parts are far from convex: `concave`, an array of `part`, `concavity` and `deepest` vertex; and

@@ -123,6 +123,26 @@ test("a marker asks for its partner, and can be moved, renamed and deleted", asy
   await user.saved(() => user.press("Control+z"));
 });
 
+test("the mirror image of a marker is suggested where a model is symmetric", async () => {
+  const names = async (model) => (await user.sketch(model)).markers.map(({ name }) => name);
+  await user.press("m");
+  await user.page.locator("#mirror").check();
+  await user.saved(() => user.click("camel", [0.8, 0.15]));
+  await user.until(async () => (await user.hint()).includes("Enter adds the mirror image of marker 2 on camel"));
+  await user.saved(() => user.press("Enter"));
+  assert.deepEqual(await names("camel"), ["nose", "marker 2", "marker 3"]);
+  // The camel's left and right differ by x.
+  const [a, b] = await Promise.all(["marker 2", "marker 3"].map((name) => user.marker_place("camel", name)));
+  assert.ok(Math.abs(a[0] - b[0]) > 0.02 && Math.abs(a[1] - b[1]) < 0.002 && Math.abs(a[2] - b[2]) < 0.002, `${a} and ${b}`);
+  assert.match(await user.hint(), /marker 2 on cow/);
+  await user.saved(() => user.click("cow", [0.8, 0.33]));
+  await user.saved(() => user.page.getByLabel("Add the mirror image of marker 2").click());
+  assert.deepEqual(await names("cow"), ["nose", "marker 2", "marker 3"]); // as on the camel
+  for (let i = 0; i < 4; ++i) await user.saved(() => user.press("Control+z"));
+  assert.deepEqual(await Promise.all(models.map(names)), [["nose"], ["nose"]]);
+  await user.page.locator("#mirror").uncheck();
+});
+
 test("an anchor is accepted where it is proposed, and its partner asked for", async () => {
   const { proposed_anchors } = await user.result("camel");
   assert.ok(proposed_anchors.length > 0);
@@ -150,7 +170,7 @@ test("everything is there again after reloading", async () => {
 });
 
 test("a run can be cancelled", in_chromium, async () => {
-  await user.saved(() => user.page.locator("#anchors button").last().click()); // the anchor without a partner
+  await user.saved(() => user.page.locator("#anchors .delete").click()); // the anchor without a partner
   await user.page.click("#run");
   await user.page.click("#cancel");
   await user.page.waitForFunction(() => document.getElementById("run-text").textContent === "Cancelled.");

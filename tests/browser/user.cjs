@@ -110,6 +110,17 @@ class User {
     return (await this.sketch(model)).parts.filter(({ strokes }) => strokes.length > 0).map(({ name }) => name);
   }
 
+  /** Where a marker of a model lies, in the frame of the page: diagonals of the model. */
+  async marker_place(model, name) {
+    const { face, barycentric } = (await this.sketch(model)).markers.find((marker) => marker.name === name);
+    return this.page.evaluate(async ([i, facet, weights]) => {
+      const { models: all } = await fetch("models").then((r) => r.json());
+      const mesh = await fetch(`models/${i}/mesh`).then((r) => r.arrayBuffer());
+      const corners = new Uint32Array(mesh, 12 * (all[i].vertices + facet), 3);
+      return [0, 1, 2].map((axis) => corners.reduce((sum, v, j) => sum + weights[j] * new Float32Array(mesh, 12 * v, 3)[axis], 0));
+    }, [this.models.indexOf(model), face, barycentric]);
+  }
+
   async picture(model) {
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30))));
     return (await this.canvas(model).screenshot()).toString("base64");

@@ -114,8 +114,10 @@ class Placing {
       this.app.tell(this.kind === "anchors" ? "Anchors lie on the boundary between two parts: click on one." : "Click on the model.");
       return;
     }
-    this.app.commit(place(this.app.state, this.model, this.kind, { ...this.entry, ...this.put }));
+    const entry = { ...this.entry, ...this.put };
+    this.app.commit(place(this.app.state, this.model, this.kind, entry));
     this.app.ask_for_partner(this.kind, this.entry.name);
+    if (this.kind === "markers") this.app.mirroring.suggest(this.model, entry);
   }
   cancel() {
     this.app.refresh_view(this.model);
@@ -124,6 +126,10 @@ class Placing {
 
 function placing_marker(app, model, pixel) {
   const view = app.views[model];
+  const suggestion = app.mirroring.pending(model);
+  if (suggestion && nearest(view, pixel, [{ point: view.place_of(suggestion.put) }])) {
+    return { move() {}, end: () => app.mirroring.accept([model]), cancel() {} };
+  }
   const known = (app.state.sketches[model].markers ?? []).map((entry) => ({ entry, point: view.place_of(entry) }));
   const moved = nearest(view, pixel, known)?.entry;
   const name = moved?.name ?? (app.asked?.kind === "markers" && app.asked.model === model

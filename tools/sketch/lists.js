@@ -58,8 +58,12 @@ function place_row(app, kind, name, number) {
   row.classList.toggle("chosen", app.asked?.kind === kind && app.asked.name === name);
   const field = name_field(name, `Name of ${name}`, (to) => app.rename_place(kind, name, to));
   row.append(element("span", { className: "state", textContent: number }), field);
-  if (missing >= 0) row.append(button(`on ${app.models[missing].name}?`, `Place ${name} on ${app.models[missing].name}`, () => app.ask_for_partner(kind, name), "quiet state"));
   row.append(button("×", `Delete ${name}`, () => app.delete_place(kind, name), "delete"));
+  const asked = [];
+  if (missing >= 0) asked.push(button(`on ${app.models[missing].name}?`, `Place ${name} on ${app.models[missing].name}`, () => app.ask_for_partner(kind, name), "quiet"));
+  const mirrored = kind === "markers" ? app.mirroring.models().filter((model) => app.mirroring.pending(model).of.name === name) : [];
+  if (mirrored.length > 0) asked.push(button("+ mirror image", `Add the mirror image of ${name}`, () => app.mirroring.accept(mirrored), "quiet"));
+  if (asked.length > 0) row.append(element("div", { className: "asked" }, ...asked));
   return row;
 }
 

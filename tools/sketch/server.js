@@ -23,6 +23,13 @@ export const last_result = (model) => json(get(`models/${model}/result`));
 
 /** Which parts are far from convex, and where to cut them: {concave, proposed_cuts}. Takes longer than a stroke. */
 export const hints = (model) => json(get(`models/${model}/hints`));
+
+/** How symmetric a model is: {error, problem}. */
+export const symmetry = (model) => json(get(`models/${model}/mirror`));
+
+/** The mirror image of a place of a model: {face, barycentric}, or {} when that is the place itself. */
+export const mirrored = (model, place) => json(send("POST", `models/${model}/mirror`, place));
+
 export const check = () => json(get("check"));
 
 /** Saves a sketch, and answers with what it makes of the model. */

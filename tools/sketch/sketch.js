@@ -3,6 +3,7 @@ import { decoded } from "../report/arrays.js";
 import { is_dark, theme_button } from "../report/theme.js";
 import { listen, modes, set_camera_buttons } from "./gestures.js";
 import { History } from "./history.js";
+import { Mirroring } from "./mirror.js";
 import { show_agreement, show_lists, show_status } from "./lists.js";
 import { part_colors, stroke_color } from "./palette.js";
 import { Running } from "./running.js";
@@ -28,6 +29,7 @@ const keys = [
   ["N", "add a part"],
   ["Ctrl+Z, Ctrl+Shift+Z", "undo, redo"],
   ["L", "turn both models together"],
+  ["Enter", "add the mirrored marker that is suggested"],
   ["Arrow keys, 0", "turn the view that has the focus, reset it"],
   ["Escape", "leave what is being asked for"],
 ];
@@ -51,6 +53,8 @@ class App {
     this.busy = false; // a result is shown
     this.seeking = models.map(() => 0); // timers
     this.pieces = new WeakMap(); // of strokes
+    this.mirroring = new Mirroring(this);
+    this.running = null; // the pipeline, with two models
   }
 
   get state() {
@@ -241,6 +245,7 @@ class App {
       ...placed("markers").map((entry) => ({ point: view.place_of(entry), color: marker_color })),
       ...placed("anchors").map((entry) => ({ point: view.place_of(entry), color: anchor_color })),
       ...(result?.proposed_anchors ?? []).map(({ vertex }) => ({ point: view.vertex(vertex), color: anchor_color, hollow: true })),
+      ...[this.mirroring.pending(model)].filter(Boolean).map(({ put }) => ({ point: view.place_of(put), color: marker_color, hollow: true })),
       ...(result?.concave ?? []).map(({ deepest }) => ({ point: view.vertex(deepest), color: deepest_color })),
     ];
     view.cover(curves, dots);
@@ -298,7 +303,10 @@ class App {
     const { parts } = this.state;
     const two = this.models.length > 1;
     if (this.busy) return "Move the slider: the first model becomes the second. Each square of the pattern shows where a piece of it went.";
-    if (this.asked) return `Now click at the place of ${this.asked.name} on ${this.models[this.asked.model].name} (Escape: later).`;
+    const mirrored = this.mirroring.models().map((i) => `${this.mirroring.pending(i).of.name} on ${this.models[i].name}`);
+    const offer = mirrored.length > 0 ? `Enter adds the mirror image of ${mirrored.join(" and of ")}.` : "";
+    if (this.asked) return `Now click at the place of ${this.asked.name} on ${this.models[this.asked.model].name} (Escape: later). ${offer}`;
+    if (offer) return `${offer} Escape: no.`;
     if (this.mode === "turn" || this.mode === "erase") return modes[this.mode].text + (this.before_space ? "" : " D: draw again.");
     if (this.mode !== "draw") return modes[this.mode].text;
     if (parts.length === 0) return "Add the parts to tell apart, such as head and body (+ Add a part, or N).";
@@ -343,7 +351,7 @@ function make_keys(app) {
     Escape: () => {
       app.asked = null;
       app.tell(null);
-      app.refresh_controls();
+      app.mirroring.dismiss();
     },
     " ": () => {
       if (app.mode === "turn") return;
@@ -353,6 +361,7 @@ function make_keys(app) {
   };
   for (const [mode, { key }] of Object.entries(modes)) page_keys[key] = () => app.set_mode(mode);
   addEventListener("keydown", (event) => {
+  const enter = () => app.mirroring.accept(app.mirroring.models());
     if (event.target.closest("input:not([type]), dialog")) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if ((event.ctrlKey || event.metaKey) && (key === "z" || key === "y")) {
@@ -365,11 +374,12 @@ function make_keys(app) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const view = app.views.find(({ canvas }) => canvas === event.target);
     const part = app.state.parts[Number(key) - 1];
-    const action = (view && view_keys[key] && (() => view_keys[key](view))) ?? page_keys[key] ?? (part && (() => {
+    const offers = key === "Enter" && !app.busy && app.mirroring.models().length > 0;
+    const action = (view && view_keys[key] && (() => view_keys[key](view))) ?? (offers ? enter : page_keys[key]) ?? (part && (() => {
       app.choose(part);
       app.set_mode("draw");
     }));
-    if (!action || (key === " " && event.target.closest("button")) || (event.target.type === "range" && key.startsWith("Arrow"))) return;
+    if (!action || ([" ", "Enter"].includes(key) && event.target.closest("button, input")) || (event.target.type === "range" && key.startsWith("Arrow"))) return;
     event.preventDefault();
     action();
   });

@@ -132,6 +132,31 @@ TEST_F(RequestsTest, KnowsOnlyItsOwnMethods) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+TEST_F(RequestsTest, MirrorsPlaces) {
+  EXPECT_LT(Json::parse(requests->answer(get("/secret/models/0/mirror")).body)["error"], 1e-3);
+  Request request = put();
+  request.method = "POST";
+  request.path = "/secret/models/0/mirror";
+  for (const char* place : {R"({"face": 0, "barycentric": [0.2, 0.3, 0.5]})", R"({"vertex": 3})",
+                            R"({"point": [0.7, 0, 0.7]})"}) {
+    request.body = place;
+    const Answer answer = requests->answer(request);
+    EXPECT_EQ(answer.status, 200) << answer.body;
+    const Json image = Json::parse(answer.body);
+    EXPECT_TRUE(image.empty() || image["barycentric"].size() == 3) << answer.body;
+  }
+  for (const char* place : {"", "7", "[]", "{}", R"({"vertex": -1})", R"({"vertex": 1000000})",
+                            R"({"face": 0, "barycentric": [2, 0, 0]})", R"({"point": [9, 9, 9]})"}) {
+    request.body = place;
+    EXPECT_EQ(status(request), 400) << place;
+  }
+  request.body = R"({"vertex": 3, "note": ")" + std::string(1000, 'x') + "\"}";
+  EXPECT_EQ(status(request), 413);
+  request.method = "DELETE";
+  EXPECT_EQ(status(request), 405);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST_F(RequestsTest, SaysWhatIsWrongWithASketch) {
   Request request = put();
   request.body = R"({"schema": "partwise/sketch-1", "parts": [{"name": ""}]})";
