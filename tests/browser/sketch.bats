@@ -3,23 +3,28 @@ load browser.bash
 load ../pipelines/pipelines.bash
 
 setup() {
-  local model
   cd "$BATS_TEST_TMPDIR"
-  for model in camel cow; do cp "$(demo_mesh "$model")" .; done
-  "$PARTWISE_BIN/sketch" camel.off cow.off >address 2>messages 3>&- &
-  server=$!
-  for _ in {1..100}; do
-    grep -q http address && break
-    sleep 0.05
-  done
 }
 
 teardown() {
   [ -z "${server:-}" ] || kill "$server"
 }
 
-@test "strokes become parts, markers and a file that segment cuts alike" {
+# Starts sketch on demo meshes: serve MODEL...
+serve() {
+  local model
+  for model in "$@"; do cp "$(demo_mesh "$model")" .; done
+  "$PARTWISE_BIN/sketch" "${@/%/.off}" >address 2>messages 3>&- &
+  server=$!
+  for _ in {1..100}; do
+    grep -q http address && break
+    sleep 0.05
+  done
   ! grep -q "has no pages" messages || missing_browser "$(cat messages)"
+}
+
+@test "strokes become parts, markers and a file that segment cuts alike" {
+  serve camel cow
   browser_test sketch.cjs "$(cat address)" labels
   kill -KILL "$server" # loses nothing
   server=
@@ -29,6 +34,16 @@ teardown() {
 }
 
 @test "the same in Firefox" {
-  ! grep -q "has no pages" messages || missing_browser "$(cat messages)"
+  serve camel cow
   PARTWISE_BROWSER=firefox-esr browser_test sketch.cjs "$(cat address)" labels
+}
+
+@test "undo, cameras, what a run lacks" {
+  serve camel cow
+  browser_test sketch-controls.cjs "$(cat address)"
+}
+
+@test "one model alone" {
+  serve camel
+  browser_test sketch-alone.cjs "$(cat address)"
 }

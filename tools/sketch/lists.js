@@ -78,12 +78,18 @@ export function show_lists(app) {
   }
 }
 
+/** A sentence of the server's about both models, with their names. */
+export function named(app, sentence) {
+  return sentence.replace(/the first model/g, app.models[0].name).replace(/the second( model)?/g, app.models[1].name);
+}
+
 /** @param check as the server gives it; null while it is not known */
-export function show_agreement(check) {
-  const said = check?.problem ? [check.problem] : [...(check?.differences ?? []), ...(check?.misplaced ?? [])];
+export function show_agreement(app, check) {
+  const said = check?.problem ? [check.problem] : [...(check?.differences ?? []), ...(check?.misplaced ?? [])].map((text) => named(app, text));
+  const nothing = app.state.parts.length === 0 && names_of(app.state, "markers").length === 0;
   const list = by_id("differences");
-  list.className = check && !check.problem ? (said.length === 0 ? "good" : "warning") : "";
-  list.replaceChildren(...(said.length > 0 ? said : [check ? "Yes: same parts, same neighbours." : "…"])
+  list.className = !check || check.problem || (nothing && said.length === 0) ? "" : (said.length === 0 ? "good" : "warning");
+  list.replaceChildren(...(said.length > 0 ? said : [!check ? "…" : nothing ? "Nothing to compare yet." : "Yes: same parts, same neighbours."])
     .map((text) => element("li", { textContent: text })));
 }
 
@@ -99,7 +105,7 @@ export function show_status(box, result) {
     for (const { part: name, concavity } of result.concave ?? []) {
       say(`${name} is far from convex (red dot, ${(100 * concavity).toFixed(0)} % of the diagonal deep)${cuts.has(name) ? ": red lines propose where to cut it" : ""}.`, "");
     }
-    if (lines.length === 0) say(`${(result.parts ?? []).length || "No"} parts.`, "");
+    if (lines.length === 0) say((result.parts ?? []).length > 1 ? `${result.parts.length} parts.` : "One part: the whole model.", "");
   }
   box.replaceChildren(...lines);
 }

@@ -1,5 +1,7 @@
 // The pipeline, run on the saved sketches, and its result: the first model on its way to the second.
+import { named } from "./lists.js";
 import * as server from "./server.js";
+import { names_of, strokes_of } from "./sketches.js";
 
 const by_id = (id) => document.getElementById(id);
 const patience = 400; // milliseconds between questions to the server
@@ -13,6 +15,21 @@ function measures_text({ rms_distance: rms, max_distance: most, flipped_faces: f
     `${flipped} flipped facets. ` + (certified ? "Certified one-to-one." : "Not certified one-to-one.");
 }
 
+/** What a run would fail for, as a sentence: the first obstacle in the order in which a user would remove them; or null. */
+function run_obstacle(app) {
+  const { parts } = app.state;
+  const undrawn = app.models.flatMap(({ name }, model) => {
+    const missing = parts.filter((part) => strokes_of(app.state, model, part).length === 0);
+    return missing.length > 0 && parts.length > 1 ? [`${missing.join(", ")} on ${name}`] : [];
+  });
+  if (undrawn.length > 0) return `To be drawn before a run: ${undrawn.join("; ")}.`;
+  const problem = app.models.map(({ name }, model) => app.results[model]?.problem && `${name}: ${app.results[model].problem}`).find(Boolean);
+  if (problem) return `To be put right before a run: ${problem}`;
+  const [difference] = app.check?.differences ?? [];
+  if (difference) return `To be put right before a run: ${named(app, difference)}.`;
+  return parts.length < 2 && names_of(app.state, "markers").length === 0 ? "Before a run: parts, or markers on both models." : null;
+}
+
 export class Running {
   constructor(app) {
     this.app = app;
@@ -23,6 +40,8 @@ export class Running {
     by_id("run-bar").hidden = app.models.length < 2;
     this.start_positions = app.views[0].surface.positions;
     this.end_positions = null;
+    this.runs = false;
+    this.show_obstacle();
   }
 
   say(text, failed) {
@@ -35,14 +54,26 @@ export class Running {
       await action();
     } catch (error) {
       this.say(error.message, true);
-      by_id("run").disabled = false;
+      this.runs = false;
+      this.show_obstacle();
     }
+  }
+
+  /** Says what would make a run fail, before it is started. */
+  show_obstacle() {
+    const obstacle = this.runs ? null : run_obstacle(this.app);
+    by_id("run").disabled = this.runs || obstacle !== null;
+    by_id("obstacle").hidden = obstacle === null || this.app.busy;
+    by_id("obstacle").textContent = obstacle ?? "";
   }
 
   async start() {
     this.close();
-    by_id("run").disabled = true;
+    this.runs = true;
+    this.show_obstacle();
     await this.app.saving;
+    const obstacle = run_obstacle(this.app); // by what the server has now
+    if (obstacle) throw new Error(obstacle);
     await server.start_run();
     await this.follow();
   }
@@ -59,7 +90,8 @@ export class Running {
 
   show({ state, stages, log }) {
     const runs = state === "running";
-    by_id("run").disabled = runs;
+    this.runs = runs;
+    this.show_obstacle();
     by_id("cancel").hidden = !runs;
     by_id("progress").replaceChildren(...(stages ?? []).map((stage) =>
       Object.assign(document.createElement("li"), { className: stage.state, title: `${stage.name}: ${stage.state}` })));

@@ -104,7 +104,8 @@ class App {
   async compare() {
     if (this.models.length < 2) return;
     this.check = await server.check().catch((error) => ({ problem: error.message }));
-    show_agreement(this.check);
+    show_agreement(this, this.check);
+    this.running?.show_obstacle();
     this.show_hint();
   }
 
@@ -244,8 +245,8 @@ class App {
     const dots = [
       ...placed("markers").map((entry) => ({ point: view.place_of(entry), color: marker_color })),
       ...placed("anchors").map((entry) => ({ point: view.place_of(entry), color: anchor_color })),
-      ...(result?.proposed_anchors ?? []).map(({ vertex }) => ({ point: view.vertex(vertex), color: anchor_color, hollow: true })),
       ...[this.mirroring.pending(model)].filter(Boolean).map(({ put }) => ({ point: view.place_of(put), color: marker_color, hollow: true })),
+      ...(result?.proposed_anchors ?? []).map(({ vertex }) => ({ point: view.vertex(vertex), color: anchor_color, hollow: true })),
       ...(result?.concave ?? []).map(({ deepest }) => ({ point: view.vertex(deepest), color: deepest_color })),
     ];
     view.cover(curves, dots);
@@ -274,6 +275,7 @@ class App {
     show_lists(this);
     by_id("undo").disabled = !this.history.can_undo;
     by_id("redo").disabled = !this.history.can_redo;
+    this.running?.show_obstacle();
     this.show_hint();
   }
 
@@ -359,9 +361,9 @@ function make_keys(app) {
       app.set_mode("turn");
     },
   };
+  const enter = () => app.mirroring.accept(app.mirroring.models());
   for (const [mode, { key }] of Object.entries(modes)) page_keys[key] = () => app.set_mode(mode);
   addEventListener("keydown", (event) => {
-  const enter = () => app.mirroring.accept(app.mirroring.models());
     if (event.target.closest("input:not([type]), dialog")) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if ((event.ctrlKey || event.metaKey) && (key === "z" || key === "y")) {
@@ -442,8 +444,8 @@ async function start() {
   results.forEach((result, i) => app.take_result(i, result));
   app.show_saved(states.some((sketch) => (sketch.parts ?? []).length > 0) ? "Saved" : "");
   await app.compare();
-  const running = new Running(app);
-  if (models.length > 1) await running.guarded(() => running.follow());
+  app.running = new Running(app);
+  if (models.length > 1) await app.running.guarded(() => app.running.follow());
 }
 
 start().catch((error) => {
