@@ -15,6 +15,8 @@ struct SeedStroke {
   int part = 0;   ///< index of the part
   int index = 0;  ///< which stroke of that part
   std::vector<int> vertices;
+
+  bool operator==(const SeedStroke&) const = default;
 };
 
 /// What the strokes fix before any boundary is sought.

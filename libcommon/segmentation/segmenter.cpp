@@ -72,6 +72,15 @@ void Segmenter::require_one_component() const {
                    "keep the largest (convert-mesh --keep-largest-component)");
 }
 
+const SeparatedLabels& Segmenter::labels_for(const std::vector<std::string>& names,
+                                             std::vector<SeedStroke> strokes, const Seeds& seeds) {
+  if (!last_ || last_->names != names || last_->strokes != strokes) {
+    last_.reset();
+    last_.emplace(Labelled{names, std::move(strokes), label_facets(names, seeds)});
+  }
+  return last_->labels;
+}
+
 SeparatedLabels Segmenter::label_facets(const std::vector<std::string>& names, const Seeds& seeds) {
   if (names.size() == 1) {
     require_one_component();
@@ -106,15 +115,14 @@ SegmentedMesh Segmenter::split(const Sketch& sketch, const std::vector<std::stri
 SegmentedMesh Segmenter::segment(const Sketch& sketch) {
   require_drawn_for(mesh_, sketch);
   const std::vector<std::string> names = part_names(sketch);
-  const std::vector<SeedStroke> strokes = seed_strokes(sketch, places_);
+  std::vector<SeedStroke> strokes = seed_strokes(sketch, places_);
   make_kept(names.size() > 1 && options_.method == SegmentationMethod::walker);
   const Seeds seeds = names.size() > 1 ? collect_seeds(mesh_, components_, names, strokes) : Seeds();
-  SeparatedLabels labelled = label_facets(names, seeds);
-  SegmentedMesh result =
-      options_.split_edges && names.size() > 1
-          ? split(sketch, names, seeds, std::move(labelled.repaired))
-          : assemble_segmentation(mesh_, std::move(labelled.repaired), sketch, options_, places_);
-  for (std::string& contact : labelled.sentences) result.warnings.push_back(std::move(contact));
+  const SeparatedLabels& labelled = labels_for(names, std::move(strokes), seeds);
+  SegmentedMesh result = options_.split_edges && names.size() > 1
+                             ? split(sketch, names, seeds, labelled.repaired)
+                             : assemble_segmentation(mesh_, labelled.repaired, sketch, options_, places_);
+  for (const std::string& contact : labelled.sentences) result.warnings.push_back(contact);
   const bool is_grown = options_.method == SegmentationMethod::growth && !sketch.parts.empty();
   if (is_grown && options_.refine_growth && mesh_.facet_count() > options_.largest_refined) {
     result.warnings.push_back(

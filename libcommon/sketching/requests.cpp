@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "error.h"
+#include "sketching/background.h"
 
 namespace partwise::sketching {
 namespace {
@@ -104,13 +105,18 @@ Answer Requests::hints_of(const Request& request, const SketchedModel& model) {
     const std::lock_guard<std::mutex> lock(mutex_);
     segmented = model.segmented();
   }
-  return json(segmented ? hints(*segmented)
-                        : Json{{"concave", Json::array()}, {"proposed_cuts", Json::array()}});
+  Json found = {{"concave", Json::array()}, {"proposed_cuts", Json::array()}};
+  if (segmented) in_background([&] { found = hints(*segmented); });
+  return json(found);
 }
 
 // A place is sent as what changes something is, though it changes nothing: it has a body.
 Answer Requests::mirror_of(const Request& request, SketchedModel& model) {
-  if (!changes_something(request.method)) return json(model.mirror().facts());
+  if (!changes_something(request.method)) {
+    Json facts;
+    in_background([&] { facts = model.mirror().facts(); });
+    return json(facts);
+  }
   if (request.method != "POST") return wrong_method();
   if (request.body.size() > kLargestPlace) return error(413, "that is too large for a place");
   return json(model.mirrored(request.body));

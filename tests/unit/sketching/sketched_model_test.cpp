@@ -70,6 +70,31 @@ TEST_F(SketchedModelTest, SavedSketchesReplayToTheShownLabels) {
   EXPECT_EQ(reopened.result()["labels"], drawn.result()["labels"]);
 }
 
+TEST_F(SketchedModelTest, MarkersAndNamesChangeOverKeptLabels) {
+  SketchedModel often(folder.path("body.ply"), body, path);
+  Json sketch = drawn_sketch();
+  const auto expect_as_anew = [&](const char* what) {
+    SketchedModel once(folder.path("body.ply"), body, folder.path("other.sketch.json"));
+    for (SketchedModel* model : {&often, &once}) model->put(sketch.dump());
+    Json results[] = {often.result(), once.result()};
+    for (Json& result : results) result.erase("seconds");
+    EXPECT_EQ(results[0], results[1]) << what;
+  };
+  expect_as_anew("as drawn");
+  sketch["markers"].push_back({{"name", "side"}, {"face", 40}, {"barycentric", {0.5, 0.25, 0.25}}});
+  expect_as_anew("one more marker");
+  EXPECT_EQ(often.result()["markers"].size(), 2U);
+  sketch["anchors"].push_back({{"name", "a"}, {"between", {"top", "bottom"}}, {"vertex", 1000000}});
+  expect_as_anew("an anchor at no vertex");
+  EXPECT_TRUE(often.result().contains("problem"));
+  sketch["anchors"].clear();
+  sketch["parts"][0]["name"] = "upper";
+  expect_as_anew("another name");
+  EXPECT_EQ(often.result()["parts"][0]["name"], "upper");
+  sketch["parts"][1]["strokes"].push_back({{"vertices", {0}}});
+  expect_as_anew("one more stroke");
+}
+
 TEST_F(SketchedModelTest, LabelsDoNotDependOnWhatWasDrawnBefore) {
   SketchedModel often(folder.path("body.ply"), body, path);
   Json fewer = drawn_sketch();
