@@ -131,6 +131,26 @@ two_parts='{"schema": "partwise/sketch-1", "parts": [
   expect_equal "$(ask "$address")" 200
 }
 
+@test "a marker's place is mirrored, and nothing else is taken for one" {
+  sphere 6 ball.off
+  start ball.off
+  local change=(-X POST -H "Origin: http://127.0.0.1:$port" -H 'Content-Type: application/json')
+  expect_equal "$(ask "${change[@]}" -d '{"face": 5, "barycentric": [0.2, 0.3, 0.5]}' "${address}models/0/mirror")" 200
+  jq -e '.face >= 0 or . == {}' answer.txt
+  expect_equal "$(ask "${change[@]}" -d '{"face": 9999, "barycentric": [1, 0, 0]}' "${address}models/0/mirror")" 400
+  truncate -s 1001 large.json
+  expect_equal "$(ask "${change[@]}" --data-binary @large.json "${address}models/0/mirror")" 413
+  expect_equal "$(ask -X POST -d '{"face": 5}' "${address}models/0/mirror")" 403
+}
+
+@test "answers are sent as they are, which is quicker than compressing them" {
+  sphere 6 ball.off
+  start ball.off
+  expect_equal "$(ask -H 'Accept-Encoding: br, gzip' -D headers.txt "${address}models/0/result")" 200
+  run ! grep -i content-encoding headers.txt
+  jq -e .parts answer.txt
+}
+
 @test "nothing listens but the loopback address" {
   sphere 2 ball.off
   start ball.off
