@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "error.h"
-#include "geometry/normals.h"
 #include "geometry/surface_index.h"
+#include "remeshing/faults.h"
+#include "remeshing/part_scales.h"
 
 namespace partwise {
 namespace {
@@ -42,21 +43,8 @@ void check(const RelocateOptions& options) {
   if (!(options.registration.reach > 0)) throw InputError("the reach of the registration must be positive");
   if (options.gaps.rounds < 0) throw InputError("the number of rounds that close gaps must not be negative");
   if (!(options.gaps.threshold > 0)) throw InputError("the gaps to close must be wider than 0");
+  if (options.mend_sweeps < 0) throw InputError("the number of mending sweeps must not be negative");
   if (!(options.fit.threshold >= 0)) throw InputError("the threshold of the fit must not be negative");
-}
-
-/// Per source facet: how much larger its part is on the target than on the source, as a length.
-std::vector<double> part_scales(const CompatibleMesh& mesh) {
-  std::vector<double> source(mesh.part_names.size(), 0.0), target(mesh.part_names.size(), 0.0);
-  const std::vector<double> source_areas = facet_areas(mesh.source.points(), mesh.source.facets());
-  const std::vector<double> target_areas = facet_areas(mesh.target.points(), mesh.target.facets());
-  for (std::size_t f = 0; f < source_areas.size(); ++f) source[mesh.source_labels[f]] += source_areas[f];
-  for (std::size_t f = 0; f < target_areas.size(); ++f) target[mesh.target_labels[f]] += target_areas[f];
-  std::vector<double> scales;
-  for (const int part : mesh.source_labels) {
-    scales.push_back(source[part] > 0 ? std::sqrt(target[part] / source[part]) : 1);
-  }
-  return scales;
 }
 
 }  // namespace
@@ -101,6 +89,7 @@ CompatibleMesh relocate_by_relaxation(const CompatibleMesh& mesh, const Relocate
     unfold(moving, options.unfold);
   }
   metrics.fit_moves = fit_coverage(moving, options.fit);
+  mend_faults(moving, options.mend_sweeps);
   return with_images(mesh, moving.images());
 }
 

@@ -31,6 +31,7 @@ struct RelocateOptions {
   GapClosingOptions gaps = {};
   CoverageFitOptions fit = {};
   UnfoldOptions unfold = {};
+  int mend_sweeps = 10;       ///< of mend_faults at the end; >= 0
   RefineOptions refine = {};  ///< by default nothing is added
 };
 
@@ -57,7 +58,8 @@ struct Relocation {
 /// and then drawn to a registration of the source (relax_towards_registration), critical points (Eq. (17)),
 /// vertex relocation by the source's mean-value weights (Eq. (18)), then again relaxation of the map's
 /// distortion (towards the source's facets, scaled as their part is), closing of the gaps that are left
-/// between the surfaces (close_gaps), unfolding of what is flipped, and a fit of what is missed.
+/// between the surfaces (close_gaps), unfolding of what is flipped, a fit of what is missed, and mending
+/// of facets that run into others (mend_faults).
 ///
 /// Every vertex stays exactly on the target and the map is kept. Markers (at source vertices) and the
 /// boundary of an open source stay in place, critical points that were reached until gaps are closed. No step

@@ -12,4 +12,7 @@ Reconstruction mapped_by_hulls(const SegmentedModel& source, const SegmentedMode
 /// per part.
 CompatibleMesh torus_pair();
 
+/// The mesh on itself, every vertex that is not at the boundary moved by up to `size` edge lengths over it.
+CompatibleMesh shaken(const TriMesh& mesh, double size, unsigned seed);
+
 }  // namespace partwise::tests

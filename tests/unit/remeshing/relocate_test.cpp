@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "builders.h"
 #include "convex_pairs.h"
 #include "error.h"
 #include "geometry/surface_index.h"
+#include "mapped_pairs.h"
 #include "remeshing/critical_points.h"
 #include "remeshing/reconstruct.h"
 
@@ -18,28 +18,6 @@ namespace {
 CompatibleMesh projected(const TriMesh& source, const TriMesh& target, std::vector<MarkerPair> markers = {}) {
   return reconstruct(tests::projected_pair(tests::whole(source), tests::whole(target), std::move(markers)))
       .mesh;
-}
-
-/// The mesh on itself, every vertex that is not at the boundary moved by up to `size` edge lengths over it.
-CompatibleMesh shaken(const TriMesh& mesh, double size, unsigned seed) {
-  std::vector<SurfacePoint> images(mesh.vertex_count());
-  for (int f = 0; f < mesh.facet_count(); ++f) {
-    for (int i = 0; i < 3; ++i) images[mesh.facet(f)[i]] = {f, Vec3::Unit(i)};
-  }
-  const SurfaceWalker walker(mesh);
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> shift(-size, size);
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.half_edges().is_boundary(OpenMesh::VertexHandle(v))) continue;
-    const int next = mesh.half_edges().vv_range(OpenMesh::VertexHandle(v)).begin()->idx();
-    const double edge = (mesh.point(next) - mesh.point(v)).norm();
-    const Vec3 step(shift(random), shift(random), shift(random));
-    images[v] = walker.towards(images[v], mesh.point(v) + edge * step);
-  }
-  SurfaceMap map(mesh, mesh, images);
-  Points points = map.positions(mesh);
-  const std::vector<int> labels(mesh.facet_count(), 0);
-  return {mesh, mesh, std::move(points), std::move(map), labels, labels, {"all"}, {}, {}};
 }
 
 double mean_distance(const Points& a, const Points& b) {
@@ -56,13 +34,13 @@ double farthest(const Points& from, const CompatibleMesh& to) {
 }
 
 TEST(Relocate, LeavesAPlaneOnItselfAlone) {
-  const CompatibleMesh mesh = shaken(tests::grid(8), 0, 1);
+  const CompatibleMesh mesh = tests::shaken(tests::grid(8), 0, 1);
   EXPECT_LT(mean_distance(relocate(mesh).mesh.points, mesh.points), 1e-12);
 }
 
 TEST(Relocate, BringsBackTheShapeOfTheSource) {
   const TriMesh flat = tests::grid(8);
-  const CompatibleMesh mesh = shaken(flat, 0.4, 2);
+  const CompatibleMesh mesh = tests::shaken(flat, 0.4, 2);
   const Relocation result = relocate(mesh, {.rounds = 30});
   EXPECT_LT(mean_distance(result.mesh.points, flat.points()),
             0.2 * mean_distance(mesh.points, flat.points()));
@@ -84,7 +62,7 @@ TEST(Relocate, KeepsVerticesOnTheTargetAndTheMapUpToDate) {
 TEST(Relocate, NeverAddsFlippedFacets) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     const double size = 0.3 * (seed % 3 + 1);
-    const CompatibleMesh mesh = shaken(seed < 3 ? tests::sphere(8) : tests::cube(5), size, seed);
+    const CompatibleMesh mesh = tests::shaken(seed < 3 ? tests::sphere(8) : tests::cube(5), size, seed);
     MeshOnSurface moving(mesh);
     const VertexWeights weights = mean_value_weights(mesh.source.points(), mesh.source.facets());
     for (int round = 0; round < 4; ++round) {
@@ -100,7 +78,7 @@ TEST(Relocate, NeverAddsFlippedFacets) {
 }
 
 TEST(Relocate, UnfoldsWhatIsFlipped) {
-  const CompatibleMesh mesh = shaken(tests::sphere(10), 0.8, 3);
+  const CompatibleMesh mesh = tests::shaken(tests::sphere(10), 0.8, 3);
   MeshOnSurface moving(mesh);
   ASSERT_GT(moving.flipped_count(), 20);
   EXPECT_EQ(unfold(moving, {.sweeps = 200}), 0);
@@ -109,7 +87,7 @@ TEST(Relocate, UnfoldsWhatIsFlipped) {
 
 TEST(Relocate, RelaxationEvensOutAShakenMap) {
   const TriMesh flat = tests::grid(8);
-  const CompatibleMesh mesh = shaken(flat, 0.4, 5);
+  const CompatibleMesh mesh = tests::shaken(flat, 0.4, 5);
   MeshOnSurface moving(mesh);
   relax(moving, 100, std::vector<double>(flat.facet_count(), 1.0));
   EXPECT_LT(mean_distance(moving.points(), flat.points()), 0.02 * mean_distance(mesh.points, flat.points()));
@@ -144,7 +122,7 @@ TEST(Relocate, FitBringsTheMeshNearerToTheTarget) {
 
 TEST(Relocate, KeepsMarkersAndTheBoundaryInPlace) {
   const TriMesh cup = tests::hemisphere(8);
-  CompatibleMesh mesh = shaken(cup, 0.3, 4);
+  CompatibleMesh mesh = tests::shaken(cup, 0.3, 4);
   const int pinned = cup.facet(17)[1];
   mesh.markers = {{"spot", {17, Vec3::Unit(1)}, mesh.map[pinned]}};
   const Relocation result = relocate(mesh);
@@ -199,7 +177,7 @@ TEST(Relocate, UniformWeightsLoseTheShapeOfTheSource) {
   const TriMesh flat = tests::grid(8);
   Points points = flat.points();
   for (Vec3& p : points) p.x() += 0.3 * (1 - p.x() * p.x());
-  const CompatibleMesh mesh = shaken(flat.with_points(points), 0, 1);
+  const CompatibleMesh mesh = tests::shaken(flat.with_points(points), 0, 1);
   const auto moved = [&](LaplacianKind weights) {
     const Relocation result =
         relocate(mesh, {.method = RelocateMethod::umbrella, .rounds = 20, .umbrella_weights = weights});
@@ -210,7 +188,7 @@ TEST(Relocate, UniformWeightsLoseTheShapeOfTheSource) {
 }
 
 TEST(Relocate, RefusesOptionsOutOfRange) {
-  const CompatibleMesh mesh = shaken(tests::tetrahedron(), 0, 1);
+  const CompatibleMesh mesh = tests::shaken(tests::tetrahedron(), 0, 1);
   EXPECT_THROW(relocate(mesh, {.lambda = 0}), InputError);
   EXPECT_THROW(relocate(mesh, {.lambda = 1.1}), InputError);
   EXPECT_THROW(relocate(mesh, {.rounds = -1}), InputError);
