@@ -106,7 +106,7 @@ template <class BoxDistance>
 struct Walk {
   using Priority = double;
 
-  bool go_further() const { return true; }
+  bool go_further() const { return reach >= 0; }
   template <class Query, class Node>
   bool do_intersect(const Query&, const Node& node) const {
     return distance_to(node.bbox()) <= reach;
@@ -130,10 +130,10 @@ struct VisitingWalk : Walk<BoxDistance> {
   Visit visit;
 };
 
-/// Visits the facets in boxes within reach; `visit(facet, reach)` returns the new reach.
+/// Visits the facets in boxes within reach; `visit(facet, reach)` returns the new reach, below 0 to end.
 template <class BoxDistance, class Visit>
-void walk(const CgalTree& tree, BoxDistance distance, Visit visit) {
-  VisitingWalk<BoxDistance, Visit> traits{{distance, kInfinity}, visit};
+void walk(const CgalTree& tree, BoxDistance distance, Visit visit, double reach = kInfinity) {
+  VisitingWalk<BoxDistance, Visit> traits{{distance, reach}, visit};
   tree.traversal_with_priority(0, traits);
 }
 
@@ -164,6 +164,21 @@ SurfaceHit SurfaceIndex::closest(const Vec3& query) const {
         return near.squared_distance;
       });
   return tree_->hit(best, best_barycentric, query);
+}
+
+bool SurfaceIndex::has_within(double distance, const Vec3& query) const {
+  bool found = false;
+  walk(
+      tree_->boxes, [&](const CGAL::Bbox_3& box) { return squared_distance_to_box(query, box); },
+      [&](int facet, double reach) {
+        const auto& [a, b, c] = tree_->facets[facet];
+        const TriangleProximity near =
+            closest_on_triangle(query, tree_->points[a], tree_->points[b], tree_->points[c]);
+        found = near.squared_distance <= reach;
+        return found ? -1 : reach;
+      },
+      distance * distance);
+  return found;
 }
 
 std::optional<SurfaceHit> SurfaceIndex::first_hit(const Vec3& origin, const Vec3& direction) const {

@@ -30,6 +30,9 @@ class SurfaceIndex {
   /// The point of the surface closest to `query`.
   SurfaceHit closest(const Vec3& query) const;
 
+  /// Whether some point of the surface is at most `distance` (>= 0) from `query`; quicker than closest.
+  bool has_within(double distance, const Vec3& query) const;
+
   /// First hit of the ray from `origin` along `direction` (any length > 0), or none.
   std::optional<SurfaceHit> first_hit(const Vec3& origin, const Vec3& direction) const;
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/normals.h"
+#include "measure/surface_distance.h"
 #include "measure/surface_samples.h"
 #include "remeshing/chart_source.h"
 #include "remeshing/locate.h"
@@ -44,39 +45,53 @@ class Preimages {
   std::vector<DomainLocator> locators_;
 };
 
-std::vector<double> distances(const Points& queries, const SurfaceIndex& surface) {
-  std::vector<double> result(queries.size());
-  tbb::parallel_for(std::size_t{0}, queries.size(),
-                    [&](std::size_t i) { result[i] = surface.closest(queries[i]).distance; });
-  return result;
+/// Vertices and points spread over the surface.
+Points places_to_look_at(const Points& points, const Facets& facets, int spread, std::uint64_t seed) {
+  Points places = points;
+  const Points samples = sample_surface(points, facets, spread, seed);
+  places.insert(places.end(), samples.begin(), samples.end());
+  return places;
 }
 
-Points measured_places(const Points& points, const Facets& facets) {
-  constexpr int least = 20'000;
-  constexpr std::uint64_t seed = 7;
-  Points places = points;
-  const Points spread =
-      sample_surface(points, facets, std::max(least, static_cast<int>(facets.size())), seed);
-  places.insert(places.end(), spread.begin(), spread.end());
-  return places;
+/// Those of the places from which no point of the surface is within `distance`, ascending.
+std::vector<std::size_t> farther_than(double distance, const Points& places, const SurfaceIndex& surface) {
+  std::vector<char> is_far(places.size());
+  tbb::parallel_for(std::size_t{0}, places.size(),
+                    [&](std::size_t i) { is_far[i] = !surface.has_within(distance, places[i]); });
+  std::vector<std::size_t> far;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (is_far[i]) far.push_back(i);
+  }
+  return far;
 }
 
 }  // namespace
 
-CoverageGaps::CoverageGaps(const TriMesh& target)
-    : target_(target), index_(target), places_(measured_places(target.points(), target.facets())) {
+CoverageSampling as_measured() {
+  const SurfaceDistanceOptions measure;
+  return {measure.samples, false, measure.seed, measure.seed + 1};
+}
+
+CoverageGaps::CoverageGaps(const TriMesh& target, const CoverageSampling& sampling)
+    : target_(target), sampling_(sampling), index_(target) {
   for (const double facet : facet_areas(target.points(), target.facets())) area_ += facet;
+  places_ =
+      places_to_look_at(target.points(), target.facets(), spread_on(target.facets()), sampling.target_seed);
+}
+
+int CoverageGaps::spread_on(const Facets& facets) const {
+  return sampling_.at_least_facets ? std::max(sampling_.points, static_cast<int>(facets.size()))
+                                   : sampling_.points;
 }
 
 std::vector<CoverageGap> CoverageGaps::wider_than(double least, const CompatibleMesh& mesh) const {
-  const SurfaceIndex surface(mesh.points, mesh.source.facets());
+  const Facets& facets = mesh.source.facets();
+  const SurfaceIndex surface(mesh.points, facets);
   std::vector<CoverageGap> gaps;
-  const std::vector<double> from_target = distances(places_, surface);
   const double area = area_ / static_cast<double>(places_.size());
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (from_target[i] <= least) continue;
-    gaps.push_back(
-        {from_target[i], surface.closest(places_[i]).point, index_.closest(places_[i]).point, area});
+  for (const std::size_t i : farther_than(least, places_, surface)) {
+    const SurfaceHit hit = surface.closest(places_[i]);
+    gaps.push_back({hit.distance, hit.point, index_.closest(places_[i]).point, area});
   }
   if (!gaps.empty()) {
     const Preimages preimages(mesh);
@@ -84,15 +99,14 @@ std::vector<CoverageGap> CoverageGaps::wider_than(double least, const Compatible
       if (const auto place = preimages.of(gaps[i].goal)) gaps[i].place = *place;
     });
   }
-  Points of_mesh = measured_places(mesh.points, mesh.source.facets());
+  Points of_mesh = places_to_look_at(mesh.points, facets, spread_on(facets), sampling_.mesh_seed);
   for (const auto e : mesh.source.half_edges().edges()) {  // where the mesh cuts over a valley
     of_mesh.emplace_back((mesh.points[e.v0().idx()] + mesh.points[e.v1().idx()]) / 2);
   }
-  const std::vector<double> from_mesh = distances(of_mesh, index_);
-  for (std::size_t i = 0; i < of_mesh.size(); ++i) {
-    if (from_mesh[i] <= least) continue;
-    gaps.push_back({from_mesh[i], surface.closest(of_mesh[i]).point, index_.closest(of_mesh[i]).point,
-                    area_ / static_cast<double>(of_mesh.size())});
+  const double mesh_area = area_ / static_cast<double>(of_mesh.size());
+  for (const std::size_t i : farther_than(least, of_mesh, index_)) {
+    const SurfaceHit hit = index_.closest(of_mesh[i]);
+    gaps.push_back({hit.distance, surface.closest(of_mesh[i]).point, hit.point, mesh_area});
   }
   std::stable_sort(gaps.begin(), gaps.end(),
                    [](const CoverageGap& a, const CoverageGap& b) { return a.distance > b.distance; });

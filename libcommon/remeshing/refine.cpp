@@ -2,71 +2,21 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include "error.h"
+#include "mesh/vertex_rings.h"
 #include "remeshing/coverage_gaps.h"
-#include "remeshing/intersection_guard.h"
+#include "remeshing/faults.h"
 #include "remeshing/one_to_one_map.h"
-#include "remeshing/split_source.h"
-#include "remeshing/unfold.h"
+#include "remeshing/part_scales.h"
+#include "remeshing/refinement_cuts.h"
 
 namespace partwise {
 namespace {
 
-constexpr double kShareOfWorst = 0.5;  // gaps narrower than this share of the widest wait for the next round
-constexpr int kMostRoundsInVain = 6;   // without a narrower widest gap
-
-/// Chooses edges to cut, at most one per facet.
-class EdgeChoice {
- public:
-  explicit EdgeChoice(const CompatibleMesh& mesh)
-      : mesh_(mesh), splittable_(splittable_edges(mesh)), is_cut_(mesh.source.facet_count(), false) {}
-
-  /// Cuts the facet at `place`, unless it is cut already, across the edge that is longest and nearest.
-  std::optional<EdgePoint> cut_at(const SurfacePoint& place) {
-    if (is_cut_[place.facet]) return std::nullopt;
-    const Facet& f = mesh_.source.facet(place.facet);
-    double best = 0;
-    int across = -1;
-    EdgePoint point;
-    for (int i = 0; i < 3; ++i) {
-      const int a = f[i], b = f[(i + 1) % 3];
-      const double share_of_third = place.barycentric[(i + 2) % 3];
-      const double score = (1 - share_of_third) * (mesh_.points[b] - mesh_.points[a]).norm();
-      const int beside = facet_across(a, b);
-      if (score <= best || beside < 0) continue;
-      best = score;
-      across = beside;
-      const double share = share_of_third < 1 ? place.barycentric[(i + 1) % 3] / (1 - share_of_third) : 0.5;
-      point = {a, b, std::clamp(share, 0.25, 0.75)};
-    }
-    if (across < 0) return std::nullopt;
-    is_cut_[place.facet] = is_cut_[across] = true;
-    return point;
-  }
-
- private:
-  /// -1 when the edge cannot be cut.
-  int facet_across(int a, int b) const {
-    const HalfEdges& half_edges = mesh_.source.half_edges();
-    const auto h = half_edges.find_halfedge(OpenMesh::VertexHandle(a), OpenMesh::VertexHandle(b));
-    if (!splittable_[half_edges.edge_handle(h).idx()]) return -1;
-    const int facet = half_edges.opposite_face_handle(h).idx();
-    return is_cut_[facet] ? -1 : facet;
-  }
-
-  const CompatibleMesh& mesh_;
-  std::vector<bool> splittable_;
-  std::vector<bool> is_cut_;
-};
-
-/// Flipped facets among some, and pairs of intersecting facets.
-int faults_of(const MeshOnSurface& mesh, const IntersectionGuard& guard, const std::vector<int>& facets) {
-  int faults = guard.count_of(facets);
-  for (const int f : facets) faults += mesh.quality(f) < 0;
-  return faults;
-}
+constexpr int kMostRoundsInVain = 20;  // without a narrower widest gap
+constexpr int kMovingRings = 2;        // around new vertices
 
 std::vector<int> facets_beside(const TriMesh& mesh, const EdgePoint& place) {
   const HalfEdges& half_edges = mesh.half_edges();
@@ -76,84 +26,69 @@ std::vector<int> facets_beside(const TriMesh& mesh, const EdgePoint& place) {
   return facets;
 }
 
-/// Cuts edges, and looks for places of the new vertices where no further facet is flipped or intersects.
-class Cut {
+/// Looks for places of new vertices where no further facet is flipped or intersects.
+class Settling {
  public:
-  /// \param goals per place: where on the target the mesh should come near
-  Cut(const CompatibleMesh& mesh, const std::vector<EdgePoint>& places,
-      const std::vector<SurfacePoint>& goals)
-      : originals_(mesh.source.vertex_count()),
-        places_(places),
-        mesh_(split_source(mesh, places)),
-        moving_(mesh_),
-        guard_(moving_) {
+  /// \param mesh before edges were cut
+  /// \param moving after that
+  Settling(const CompatibleMesh& mesh, const RefinementCuts& cuts, MeshOnSurface& moving)
+      : originals_(mesh.source.vertex_count()), cuts_(cuts), moving_(moving), faults_(moving) {
     const MeshOnSurface before(mesh);
-    const IntersectionGuard guard_before(before);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const int faults = faults_of(before, guard_before, facets_beside(mesh.source, places[i]));
-      settle(i, faults, position(mesh.target, goals[i]));
+    const FaultCounter faults_before(before);
+    for (const EdgePoint& place : cuts.places) {
+      faults_before_.push_back(faults_before.of(facets_beside(mesh.source, place)));
     }
   }
 
-  MeshOnSurface& moving() { return moving_; }
-
-  /// The mesh with all vertices where they have come to.
-  CompatibleMesh finish() const { return with_images(mesh_, moving_.images()); }
-
- private:
-  int faults_at(int vertex) const {
-    const auto ring = moving_.ring(vertex);
-    return faults_of(moving_, guard_, {ring.begin(), ring.end()});
+  void settle() {
+    for (std::size_t i = 0; i < cuts_.places.size(); ++i) settle(i);
   }
 
+ private:
   /// Tries the goal, the place in the edge, where nothing has changed, and half way to each.
-  void settle(std::size_t i, int faults_before, const Vec3& goal) {
+  void settle(std::size_t i) {
     const int vertex = originals_ + static_cast<int>(i);
-    int least = faults_at(vertex);
-    const auto& [a, b, fraction] = places_[i];
+    int least = faults_.around(vertex);
+    const auto& [a, b, fraction] = cuts_.places[i];
+    const Vec3 goal = position(moving_.target(), cuts_.goals[i]);
     const Vec3 from = moving_.points()[vertex];
     const Vec3 in_edge = (1 - fraction) * moving_.points()[a] + fraction * moving_.points()[b];
     const SurfacePoint start = moving_.image(vertex);
     SurfacePoint best = start;
     for (const Vec3& wanted : {goal, Vec3((from + goal) / 2), in_edge, Vec3((from + in_edge) / 2)}) {
-      if (least <= faults_before) break;
+      if (least <= faults_before_[i]) break;
       const SurfacePoint there = moving_.walker().towards(start, wanted);
       if (!moving_.allows(vertex, there)) continue;
       moving_.place(vertex, there);
-      const int faults = faults_at(vertex);
+      const int faults = faults_.around(vertex);
       if (faults >= least) continue;
       least = faults;
       best = there;
     }
     moving_.place(vertex, best);
-    guard_.moved(vertex);
+    faults_.moved(vertex);
   }
 
   int originals_;
-  const std::vector<EdgePoint>& places_;
-  CompatibleMesh mesh_;
-  MeshOnSurface moving_;
-  IntersectionGuard guard_;
+  const RefinementCuts& cuts_;
+  MeshOnSurface& moving_;
+  FaultCounter faults_;
+  std::vector<int> faults_before_;  // per place
 };
 
-/// The edges to cut in one round.
-struct Round {
-  std::vector<EdgePoint> places;
-  std::vector<SurfacePoint> goals;
-};
-
-Round choose(const CompatibleMesh& mesh, const std::vector<CoverageGap>& gaps, int most) {
-  EdgeChoice choice(mesh);
-  Round round;
-  for (const CoverageGap& gap : gaps) {
-    if (gap.distance < kShareOfWorst * gaps.front().distance) break;
-    if (static_cast<int>(round.places.size()) == most) break;
-    const std::optional<EdgePoint> place = choice.cut_at(gap.place);
-    if (!place) continue;
-    round.places.push_back(*place);
-    round.goals.push_back(gap.goal);
+/// Pins all vertices that are not near new ones, from `first_new` on, so that what fits stays.
+/// \return those that were not pinned
+std::vector<int> pin_far(MeshOnSurface& mesh, int first_new) {
+  std::vector<bool> near(mesh.points().size(), false);
+  std::fill(near.begin() + first_new, near.end(), true);
+  near = within_rings(mesh.source().facets(), std::move(near), kMovingRings);
+  std::vector<int> pinned;
+  for (int v = 0; v < first_new; ++v) {
+    if (near[v] || mesh.is_pinned(v)) continue;
+    mesh.pin(v);
+    pinned.push_back(v);
   }
-  return round;
+  return pinned;
 }
 
 void check(const RefineOptions& options) {
@@ -169,23 +104,33 @@ Refined refine(const CompatibleMesh& mesh, const RefineOptions& options) {
   if (options.error == 0) return result;
   const double least = options.error * mesh.target.diagonal();
   const int allowed = static_cast<int>(options.limit * mesh.source.vertex_count());
-  const CoverageGaps search(mesh.target);
+  const CoverageGaps search(mesh.target, as_measured());
   RefineFigures& figures = result.figures;
   std::vector<CoverageGap> gaps = search.wider_than(least, mesh);
   figures.gaps_before = static_cast<int>(gaps.size());
   double narrowest = std::numeric_limits<double>::infinity();  // of the widest gaps of all rounds
   int in_vain = 0;
+  EdgeSet uncuttable;
+  GapClosingOptions closing = options.gaps;
+  closing.threshold = std::min(closing.threshold, options.error / 2);
   while (!gaps.empty() && in_vain < kMostRoundsInVain) {
-    const Round round = choose(result.mesh, gaps, allowed - figures.added_vertices);
-    if (round.places.empty()) break;
+    RefinementCuts cuts = choose_cuts(result.mesh, gaps, allowed - figures.added_vertices, uncuttable);
+    if (cuts.places.empty()) break;
+    const CompatibleMesh cut = split_source_one_to_one(result.mesh, cuts, uncuttable);
+    if (cuts.places.empty()) continue;  // with other edges
     ++figures.rounds;
-    figures.added_vertices += static_cast<int>(round.places.size());
+    figures.added_vertices += static_cast<int>(cuts.places.size());
     in_vain = gaps.front().distance < narrowest ? 0 : in_vain + 1;
     narrowest = std::min(narrowest, gaps.front().distance);
-    Cut cut(result.mesh, round.places, round.goals);
-    fit_coverage(cut.moving(), options.fit);
-    unfold(cut.moving(), options.unfold);
-    result.mesh = cut.finish();
+    MeshOnSurface moving(cut);
+    Settling(result.mesh, cuts, moving).settle();
+    const std::vector<int> held = pin_far(moving, result.mesh.source.vertex_count());
+    close_gaps(moving, cut, part_scales(cut), {}, closing);
+    for (const int v : held) moving.unpin(v);
+    fit_coverage(moving, options.fit);
+    unfold(moving, options.unfold);
+    mend_faults(moving, options.mend_sweeps);
+    result.mesh = with_images(cut, moving.images());
     gaps = search.wider_than(least, result.mesh);
   }
   figures.gaps_after = static_cast<int>(gaps.size());

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "energy/foldover_free.h"
 #include "energy/symmetric_dirichlet.h"
 #include "geometry/normals.h"
+#include "mesh/vertex_rings.h"
 
 namespace partwise {
 namespace {
@@ -112,14 +113,7 @@ std::vector<int> around_flipped(const MeshOnSurface& mesh, int rings) {
     if (mesh.quality(f) >= 0) continue;
     for (const int v : mesh.source().facet(f)) near[v] = true;
   }
-  for (int i = 1; i < rings; ++i) {
-    std::vector<bool> wider = near;
-    for (const Facet& f : mesh.source().facets()) {
-      if (!near[f[0]] && !near[f[1]] && !near[f[2]]) continue;
-      for (const int v : f) wider[v] = true;
-    }
-    near = std::move(wider);
-  }
+  near = within_rings(mesh.source().facets(), std::move(near), rings - 1);
   std::vector<int> vertices;
   for (std::size_t v = 0; v < near.size(); ++v) {
     if (near[v]) vertices.push_back(static_cast<int>(v));

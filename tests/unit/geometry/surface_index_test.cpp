@@ -39,6 +39,8 @@ TEST(SurfaceIndex, ClosestAgreesWithTryingEveryFacet) {
       EXPECT_EQ(hit.position, position(mesh, hit.point));
       EXPECT_NEAR(hit.point.barycentric.sum(), 1, 1e-15);
       EXPECT_GE(hit.point.barycentric.minCoeff(), 0);
+      EXPECT_TRUE(index.has_within(hit.distance * (1 + 1e-12), query));
+      EXPECT_FALSE(index.has_within(hit.distance * (1 - 1e-12), query));
     }
   }
 }
