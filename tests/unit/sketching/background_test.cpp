@@ -29,7 +29,7 @@ TEST(InBackground, WorksInOneLessUrgentThread) {
     });
   });
   EXPECT_EQ(sum, 499500);
-  EXPECT_EQ(worst, 19);
+  EXPECT_EQ(worst, 10);
   EXPECT_EQ(urgency(), own);
 }
 
