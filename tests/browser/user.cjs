@@ -25,7 +25,7 @@ class User {
 
   async open() {
     await this.page.goto(this.address);
-    await this.page.waitForFunction((count) => document.querySelectorAll(".view .status:not(:empty)").length === count, this.models.length);
+    await this.answered();
   }
 
   leave() {
@@ -53,14 +53,18 @@ class User {
     }
   }
 
+  /** Waits until nothing is asked of the server that the page's lists and colours wait for. */
+  async answered() {
+    await this.page.locator("#views[aria-busy=false]").waitFor();
+  }
+
   /** Does something, and waits until the server has answered all that came of it. */
   async saved(action) {
     const answer = this.page.waitForResponse((response) => response.request().method() === "PUT");
-    const compared = this.models.length > 1 && this.page.waitForResponse((response) => response.url().endsWith("/check"));
     await action();
     assert.equal((await answer).status(), 200);
-    await compared;
-    await this.page.waitForFunction(() => document.getElementById("saved").textContent === "Saved");
+    await this.answered();
+    assert.equal(await this.page.locator("#saved").textContent(), "Saved");
   }
 
   async drag(model, points) {
@@ -80,11 +84,11 @@ class User {
   }
 
   async add_part(name) {
-    await this.press("n");
-    await this.page.keyboard.type(name);
-    await this.press("Enter");
-    await this.until(async () => (await Promise.all(this.models.map((model) => this.sketch(model)))).every(({ parts }) => parts.at(-1)?.name === name));
-    await this.page.waitForTimeout(100); // the comparison of the models
+    await this.saved(() => this.press("n"));
+    await this.saved(async () => {
+      await this.page.keyboard.type(name);
+      await this.press("Enter");
+    });
   }
 
   /** Names in the list of parts. */
@@ -121,9 +125,21 @@ class User {
     }, [this.models.indexOf(model), face, barycentric]);
   }
 
-  async picture(model) {
+  async screenshot(model) {
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30))));
     return (await this.canvas(model).screenshot()).toString("base64");
+  }
+
+  /** What a view shows once all has come that comes by itself: hints, names of markers, the next frame. */
+  async picture(model) {
+    await this.until(async () => (await this.page.locator("[aria-busy=true]").count()) === 0);
+    let [last, now] = [null, await this.screenshot(model)];
+    await this.until(async () => {
+      await this.page.waitForTimeout(200);
+      [last, now] = [now, await this.screenshot(model)];
+      return last === now;
+    });
+    return now;
   }
 
   /** Share of a view's pixels that have the hue of a part, as its entry in the list shows it. */
@@ -146,7 +162,7 @@ class User {
         if (light > 0.55 && off < 25) ++count;
       }
       return count / (image.width * image.height);
-    }, [await this.picture(model), color.match(/[0-9]+/g).map(Number)]);
+    }, [await this.screenshot(model), color.match(/[0-9]+/g).map(Number)]);
   }
 
   /** Looks at a model as at first, which then has the focus. */

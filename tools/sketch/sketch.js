@@ -80,7 +80,10 @@ class App {
     this.models.forEach((_, i) => {
       if (state.parts !== old.parts || state.sketches[i] !== old.sketches[i]) this.refresh_view(i);
     });
-    this.saving = this.saving.then(() => this.save());
+    this.show_busy(true);
+    const saving = this.saving.then(() => this.save());
+    this.saving = saving;
+    saving.finally(() => this.show_busy(this.saving !== saving));
   }
 
   async save() {
@@ -126,6 +129,7 @@ class App {
   seek_hints(model) {
     clearTimeout(this.seeking[model]);
     const result = this.results[model];
+    this.boxes[model].setAttribute("aria-busy", !result.problem);
     if (result.problem) return;
     this.seeking[model] = setTimeout(async () => {
       const hints = await server.hints(model).catch(() => ({}));
@@ -133,6 +137,7 @@ class App {
       Object.assign(result, hints);
       this.refresh_view(model);
       show_status(this.boxes[model], result);
+      this.boxes[model].setAttribute("aria-busy", false);
     }, rest);
   }
 
@@ -284,6 +289,11 @@ class App {
     this.busy = shown;
     if (shown) this.set_mode("turn");
     this.refresh();
+  }
+
+  /** Says that answers are awaited that change what the views show. */
+  show_busy(busy) {
+    by_id("views").setAttribute("aria-busy", busy);
   }
 
   show_saved(text, failed) {
@@ -446,6 +456,7 @@ async function start() {
   await app.compare();
   app.running = new Running(app);
   if (models.length > 1) await app.running.guarded(() => app.running.follow());
+  app.show_busy(false);
 }
 
 start().catch((error) => {
