@@ -19,6 +19,10 @@ constexpr int kPatience = 5;
 
 using Tangents = std::vector<Eigen::Matrix<double, 3, 2>>;
 
+/// In which planes vertices step: across the target's normals at their images, which a long step follows
+/// around bends, or in the facets that these lie in, where a short step does just what the gradient says.
+enum class StepPlanes { across_normals, of_facets };
+
 class Relaxation {
  public:
   Relaxation(MeshOnSurface& mesh, const std::vector<double>& scales, double least_quality,
@@ -28,9 +32,11 @@ class Relaxation {
   double area() const { return area_; }
 
   /// One Newton step; false when it does not lower the energy.
-  bool step();
+  bool step() { return step(StepPlanes::across_normals) || step(StepPlanes::of_facets); }
 
  private:
+  bool step(StepPlanes planes);
+  Tangents tangents(StepPlanes planes) const;
   FoldoverFree facet(std::size_t f, const Points& points) const;
   Vec3 offset(const PlacePull& pull, const Points& points) const;
   Eigen::VectorXd newton_direction(const Tangents& tangents);
@@ -182,19 +188,31 @@ void Relaxation::commit(const std::vector<SurfacePoint>& images) {
   }
 }
 
-bool Relaxation::step() {
-  Tangents tangents(mesh_.points().size());
-  for (std::size_t v = 0; v < tangents.size(); ++v) {
+Tangents Relaxation::tangents(StepPlanes planes) const {
+  Tangents result(mesh_.points().size());
+  for (std::size_t v = 0; v < result.size(); ++v) {
     if (unknowns_[v] < 0) continue;
-    const Vec3& normal = mesh_.normal(static_cast<int>(v));
-    tangents[v].col(0) = normal.unitOrthogonal();
-    tangents[v].col(1) = normal.cross(tangents[v].col(0));
+    const int vertex = static_cast<int>(v);
+    Vec3 normal = Vec3::Zero();
+    if (planes == StepPlanes::of_facets) {
+      const auto& [a, b, c] = mesh_.target().facet(mesh_.image(vertex).facet);
+      const Points& points = mesh_.target().points();
+      normal = (points[b] - points[a]).cross(points[c] - points[a]).stableNormalized();
+    }
+    if (normal.isZero(0)) normal = mesh_.normal(vertex);
+    result[v].col(0) = normal.unitOrthogonal();
+    result[v].col(1) = normal.cross(result[v].col(0));
   }
-  const Eigen::VectorXd direction = newton_direction(tangents);
+  return result;
+}
+
+bool Relaxation::step(StepPlanes planes) {
+  const Tangents along = tangents(planes);
+  const Eigen::VectorXd direction = newton_direction(along);
   if (direction.size() == 0) return false;
-  Points steps(tangents.size(), Vec3::Zero());
+  Points steps(along.size(), Vec3::Zero());
   for (std::size_t v = 0; v < steps.size(); ++v) {
-    if (unknowns_[v] >= 0) steps[v] = tangents[v] * direction.segment<2>(2 * unknowns_[v]);
+    if (unknowns_[v] >= 0) steps[v] = along[v] * direction.segment<2>(2 * unknowns_[v]);
   }
   const double before = energy(mesh_.points());
   for (double length = 1; length > 0.02; length *= 0.5) {

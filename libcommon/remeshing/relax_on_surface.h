@@ -23,9 +23,9 @@ struct SurfaceRelaxation {
 };
 
 /// Lowers the distortion of the whole map at once: Newton's method on the regularised energy of FoldoverFree,
-/// every vertex in the target's tangent plane at its image, then walked over the target. What vertex-wise
-/// relaxation (`relax`) needs hundreds of sweeps for, the slide of a limb along its length, takes a few
-/// steps.
+/// every vertex in a plane that touches the target at its image, then walked over the target. What
+/// vertex-wise relaxation (`relax`) needs hundreds of sweeps for, the slide of a limb along its length, takes
+/// a few steps.
 ///
 /// Pinned vertices stay. A vertex whose step would fold the map, flip one more facet of the mesh or make one
 /// too flat takes a part of it or none; where many do, the energy of the whole may rise again. \param scales
